@@ -7,7 +7,6 @@
 use efsat::NotFinite;
 use efsat::engine::driver::{Contacts, Objects, QueryOptions, StandIn};
 use efsat::engine::params::EngineParams;
-use efsat::params::Params;
 use efsat::scene::Scene;
 use std::error::Error;
 
@@ -21,7 +20,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The answers for some frames of the built-in scene, in which one headlight tumbles in front of another one.
 pub fn contacts(frames: &[usize]) -> Result<Vec<(usize, Contacts)>, Box<dyn Error>> {
-    let (engine, unit) = (EngineParams::default(), Params::default());
+    let engine = EngineParams::default();
+    let unit = engine.unit();
     let scene = Scene::default_scene();
     let (meshes, mesh_of) = scene.meshes();
     let objects = Objects::new(&engine, &unit, &meshes)?;

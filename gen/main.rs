@@ -8,6 +8,7 @@ const INTERRUPTED: i32 = 130;
 fn main() -> ExitCode {
     let handler = || {
         let _stopped = efsat_checks::process::stop();
+        efsat_cli::interrupted();
         efsat::artefact::interrupted(INTERRUPTED)
     };
     match ctrlc::set_handler(handler) {

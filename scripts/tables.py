@@ -254,8 +254,8 @@ def scenes():
     return table(["<file", "<what it shows"], ([f"`{file.name}`", re.split(r"[.:]( |$)", comment(file.read_text()))[0]] for file in sorted(Path("scenes").glob("*.toml"))))
 
 
-LARGE = "--method determinants --block-lines 2048 --triangle-lines 1024"
-ENGINES = {"A": "", "B": LARGE, "D": f"{LARGE} --expansion-clocks 1 --memory-width 512 --in-flight 64 --latency 64"}
+LARGE = "--clocks-per-pair 1 --block-lines 2048"
+ENGINES = {"A": "--method axes", "B": LARGE, "D": f"{LARGE} --expansion-clocks 1 --memory-width 512 --in-flight 64 --latency 64"}
 
 
 def distances():

@@ -291,7 +291,7 @@ fn cosim_reports_the_fields_of_the_contract() {
     assert!(said.contains("All 20 vectors, and 39 for the guard, agree bit for bit.\n"), "{said}");
 
     fs::write(dir.join("pairs.csv"), csv()).unwrap();
-    let report = object(dir, "cosim --pairs pairs.csv --limit 2 --simulator builtin --json");
+    let report = object(dir, "cosim pairs.csv --limit 2 --simulator builtin --json");
     assert_eq!((&report["vectors"], &report["mismatches"]), (&2.into(), &0.into()));
     assert_eq!(report["verdicts"], serde_json::json!({"separate": 1, "intersect": 1, "possibly_incorrect": 0}));
 }

@@ -6,6 +6,7 @@ mod cargo;
 mod shell;
 
 use crate::book::{pages, prose, root, text};
+use crate::tools::program::{refuses, succeeds};
 use clap::error::ErrorKind;
 use std::collections::BTreeSet;
 use std::fs;
@@ -243,6 +244,60 @@ fn every_command_is_one() {
     let of_users = pages().into_iter().filter(|page| page != "CHANGELOG.md");
     let faults: Vec<String> = of_users.flat_map(|page| faults(&page, &text(&page))).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Options of a command, by their long names; of those that are of a design, or of all others.
+fn long_names(command: &clap::Command, of_design: bool) -> Vec<String> {
+    let wanted = |argument: &&clap::Arg| argument.is_hide_short_help_set() == of_design;
+    command.get_arguments().filter(wanted).filter_map(|argument| Some(format!("--{}", argument.get_long()?))).collect()
+}
+
+/// Whether a text has an option, and not only one whose name begins so.
+fn names(text: &str, option: &str) -> bool {
+    let inner = |c: char| c.is_alphanumeric() || c == '-';
+    text.match_indices(option).any(|(at, _)| !text[at + option.len()..].starts_with(inner))
+}
+
+/// The page of options has those of designs, some page each other one and every command.
+#[test]
+fn every_command_and_option_is_on_a_page() {
+    let of_users = pages().into_iter().filter(|page| page.starts_with("docs/") || page == "README.md");
+    let all: String = of_users.map(|page| text(&page)).collect();
+    let options = text("docs/options.md");
+    let mut commands = vec![];
+    leaves(&efsat_cli::command(), &[], &mut commands);
+    let mut absent = vec![];
+    for (words, command) in &commands {
+        let call = format!("efsat {}", words.join(" "));
+        let own = long_names(command, false).into_iter().filter(|option| !names(&all, option));
+        let of_design = long_names(command, true).into_iter().filter(|option| !names(&options, option));
+        absent.extend(own.chain(of_design).map(|option| format!("{call} {option}")));
+        absent.extend((!all.contains(&call)).then_some(call));
+    }
+    assert!(commands.len() > 20 && absent.is_empty(), "{absent:?}");
+    assert!(names("a --width=1", "--width") && !names("--widths --width-2", "--width"));
+}
+
+/// The options of a design are one line of short help, and that line prints them.
+#[test]
+fn short_help_is_short() {
+    let mut commands = vec![];
+    leaves(&efsat_cli::command(), &[], &mut commands);
+    commands.retain(|(_, command)| !long_names(command, true).is_empty());
+    for (words, command) in &commands {
+        let call = words.join(" ");
+        let (short, design) =
+            (succeeds(root(), &format!("{call} -h")), succeeds(root(), &format!("{call} --help-design")));
+        let listed = |help: &str, option: &String| {
+            help.lines().any(|line| names(line.trim_start(), option) && line.trim_start().starts_with(option.as_str()))
+        };
+        assert!(short.lines().count() < 50, "{call}: {short}");
+        let (of_design, own) = (long_names(command, true), long_names(command, false));
+        assert!(of_design.iter().all(|option| listed(&design, option) && !listed(&short, option)), "{call}: {design}");
+        assert!(own.iter().all(|option| !listed(&design, option) && listed(&short, option)), "{call}: {design}{short}");
+    }
+    assert!(commands.len() >= 13);
+    refuses(root(), "list --help-design", "unexpected argument '--help-design'");
 }
 
 /// What pages ask to be compiled compiles: each package alone, with the features that are printed.

@@ -8,6 +8,7 @@ use crate::tools::program::{efsat, refuses, succeeds};
 use crate::tools::{Ghdl, ghdl, has};
 use rayon::prelude::*;
 use std::fmt::Write;
+use std::path::Path;
 use std::process::Command;
 
 /// The files of a list of a design, by their names above its folder.
@@ -228,6 +229,29 @@ fn a_testbench_says_one_line_and_fails_after_a_mismatch() {
 }
 
 /// The scripts for ISE and Vivado in a Tcl that knows the tools' commands, but for what they do.
+/// The licence of generated files, once in each that may have comments: all but lists, vectors and JSON.
+#[test]
+fn ready_files_name_their_licence() {
+    let ready = Path::new(env!("CARGO_MANIFEST_DIR")).join("rtl-out");
+    let (mut folders, mut named) = (vec![ready], 0);
+    while let Some(folder) = folders.pop() {
+        for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let (name, text) = (path.to_str().unwrap(), std::fs::read_to_string(&path).unwrap());
+            let without =
+                ["files.txt", "files-synthesis.txt", ".vec", ".json", ".prj"].iter().any(|end| name.ends_with(end));
+            let found =
+                text.lines().take(2).filter(|line| line.contains("SPDX-License-Identifier: MIT OR Apache-2.0")).count();
+            assert_eq!((found, text.matches("SPDX").count()), if without { (0, 0) } else { (1, 1) }, "{name}");
+            named += found;
+        }
+    }
+    assert!(named > 200, "{named} files");
+}
+
 #[test]
 fn scripts_for_tools_fail_when_the_tool_fails() {
     if !has("tclsh", "tclsh", "/dev/null") {

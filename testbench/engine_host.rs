@@ -1,5 +1,7 @@
 //! The host side of a generated engine without Rust: `efsat tree query`, and the files in C and Python against the packing here.
 
+mod in_c;
+
 use crate::tools::program::{object, refuses, succeeds};
 use crate::tools::{CHECKED, compiles_everywhere, has, run};
 use efsat::collide::hierarchy::Directions;
@@ -208,7 +210,10 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
     {
         let (home, format) = (tempfile::tempdir().unwrap(), engine.format(&unit).unwrap());
         let of_engine = engine.options().into_iter().filter(|(name, _)| engine.has(name));
-        let options = of_engine.chain([("upper", unit.upper.name().to_owned())]);
+        let options = of_engine.chain(
+            [("method", unit.method.name()), ("upper", unit.upper.name())]
+                .map(|(name, value)| (name, value.to_owned())),
+        );
         let options: String = options.map(|(name, value)| format!(" --{name} {value}")).collect();
         succeeds(&home, &format!("generate --engine --out rtl{options}"));
         let (mut asked, mut due) = (String::new(), String::new());
@@ -266,7 +271,8 @@ fn queries_of_a_scene_are_written() {
         assert!(text.starts_with("frame,a,b,number,words\n"));
         text.lines().skip(1).map(row).collect()
     };
-    let model = Model::new(&EngineParams::default(), &Params::default()).unwrap();
+    let engine = EngineParams::default();
+    let model = Model::new(&engine, &engine.unit()).unwrap();
     let found = packets("q.csv");
     let heads: Vec<&str> = found.iter().map(|(head, _)| head.as_str()).collect();
     assert_eq!(heads, ["0,0,1,0", "1,0,1,1"]);
@@ -287,7 +293,7 @@ fn queries_of_a_scene_are_written() {
         ("s.toml --image y --memory block-ram", "--image with --memory block-ram: expected --memory axi"),
         (
             "headlight --memory block-ram",
-            "--block-lines 512: expected at least 5961, which the meshes take in block RAM",
+            "--block-lines 1024: expected at least 5961, which the meshes take in block RAM",
         ),
     ] {
         refuses(dir, &format!("tree query {options} --out x.csv"), part);

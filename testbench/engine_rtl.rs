@@ -139,7 +139,7 @@ fn answers_and_reports_equal_the_reference_models() {
     let cases: [(EngineParams, Params, &[&str]); 10] = [
         (axi(), small(), &[least, "-glatency_most=1"]),
         (axi(), small(), &["-glatency_least=5", "-glatency_most=200", "-gseed=7"]),
-        (block_ram(), Params::default(), &[]),
+        (block_ram(), block_ram().unit(), &[]),
         (narrow, small(), &["-gpasses=1"]),
         (EngineParams { expansion_clocks: 1, ..block_ram() }, determinants.clone(), &["-gseed=3"]),
         (
@@ -247,7 +247,7 @@ fn a_wrong_engine_is_noticed() {
     let slow: &[&str] = &["-gpasses=2", "-glatency_least=5", "-glatency_most=60"];
     let changes: [(&str, &str, &str, &[&str]); 12] = [
         // Flying pairs are not counted; the last survivor is not; the push order loses one.
-        ("engine_traverse.vhd", "finished <= candidate_leaves and is_last;", "finished <= candidate_leaves;", quick),
+        ("engine_traverse.vhd", "nodes_finished <= candidate and is_last;", "nodes_finished <= candidate;", quick),
         (
             "engine_traverse.vhd",
             "\"0100\" when left_over(2) = '1' else",
@@ -257,12 +257,7 @@ fn a_wrong_engine_is_noticed() {
         // A leaf beside an inner node becomes an inner node; its side is the other.
         ("engine_traverse.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
         // Inner nodes are joined as if they were leaves.
-        (
-            "engine_traverse.vhd",
-            "joins_a(0) <= opened_children(119) and opened_children(89) and",
-            "joins_a(0) <=",
-            quick,
-        ),
+        ("engine_traverse.vhd", "joins_a(0) <= family(119) and family(89) and", "joins_a(0) <=", quick),
         // Links that go back are taken.
         (
             "engine_children.vhd",
@@ -317,9 +312,9 @@ fn changed(bench: &Bench, (file, from, to): (&str, &str, &str), vectors: &str, o
     report
 }
 
-/// With C = 3 H + 8, W is 7, one too few for a second pair in flight: the engine takes the clocks of one that has one pair in
-/// flight, and the entries that the model has on its stack, strictly depth first. With a place more it is faster. So a rule that
-/// lets a pair go too early, or another order of pushes, is noticed.
+/// With C = 3 H + 8, W is 7, one too few for a second pair in flight: the engine has the entries that the model has on its stack,
+/// strictly depth first, and so has one that has one pair in flight, which also waits for its leaf pairs. With a place more it is
+/// faster. So a rule that lets a pair go too early, or another order of pushes, is noticed.
 #[test]
 fn the_rule_of_the_stack_is_exact() {
     let Some(ghdl) = ghdl() else { return };
@@ -344,7 +339,8 @@ fn the_rule_of_the_stack_is_exact() {
     let counts = |report: &str| fine(report).then(|| [number(report, "clocks"), number(report, "stack")]);
     let due = counts(&narrow.run_vectors(vectors.text(), &options)).expect("no mismatch");
     assert_eq!(due[1], Some(greatest));
-    assert_eq!(counts(&bench(8, 1).run_vectors(vectors.text(), &options)), Some(due));
+    let one = counts(&bench(8, 1).run_vectors(vectors.text(), &options)).expect("no mismatch");
+    assert!(one[1] == due[1] && one[0] >= due[0], "{one:?}; expected {due:?} and no fewer clocks");
     let [wider, _] = counts(&bench(9, 16).run_vectors(vectors.text(), &options)).expect("no mismatch");
     assert!(wider < due[0], "{wider:?} clocks; expected fewer than {due:?}");
 

@@ -49,6 +49,35 @@ fn an_interruption_leaves_nothing_behind() {
 }
 
 #[test]
+fn an_interruption_says_what_is_kept() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let said = |arguments: &str, ready: &dyn Fn() -> bool| {
+        let mut child = command(dir, arguments).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let start = Instant::now();
+        while !ready() && start.elapsed() < Duration::from_secs(60) {
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        signal(child.id());
+        let mut said = String::new();
+        child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+        assert_eq!(child.wait().unwrap().code(), Some(130), "{arguments}: {said}");
+        said
+    };
+    let soon = Instant::now();
+    let later = || soon.elapsed() > Duration::from_millis(300);
+    let nothing = "interrupted: nothing is kept but what was printed; the same command begins again\n";
+    assert_eq!(said("classify --random 1000000000", &later), nothing);
+    let lines = || fs::read_to_string(dir.join("log")).map_or(0, |log| log.lines().count());
+    let once = "stress --once --family lattice-5 --log log --pairs";
+    let kept = said(&format!("{once} 1000000000"), &|| lines() > 1);
+    assert!(kept.starts_with("interrupted: ") && kept.ends_with(" pairs are kept in log; the same command goes on\n"));
+    let before = lines();
+    succeeds(dir, &format!("{once} 1"));
+    assert_eq!(lines(), before, "it went on");
+}
+
+#[test]
 fn an_interruption_stops_the_simulator() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();

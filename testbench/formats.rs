@@ -151,10 +151,8 @@ fn object(dir: &Path, arguments: &str) -> Value {
     serde_json::from_str(&text).unwrap_or_else(|e| panic!("{arguments}: {e}: {text}"))
 }
 
-#[test]
-fn objects_have_the_keys_of_the_page() {
-    let home = tempfile::tempdir().unwrap();
-    let dir = home.path();
+/// Pairs, meshes and scenes that all runs read.
+fn inputs(dir: &Path) {
     let write = |name: &str, text: &str| fs::write(dir.join(name), text).unwrap();
     write("pairs.csv", include_str!("../examples/three_pairs.csv"));
     // A triangle, a face that cannot be used and a line that is not read; a mesh of two triangles that cross.
@@ -171,6 +169,14 @@ fn objects_have_the_keys_of_the_page() {
     let boxes = "name = \"boxes\"\n[a]\nmesh = \"outer.obj\"\n[b]\nmesh = \"inner.obj\"\n";
     write("boxes.toml", &format!("{boxes}[[pose]]\ntranslation = [1, 1, 1]\n[[pose]]\ntranslation = [0, 0, 0]\n"));
     write("tumble.toml", &format!("{objects}[tumble]\nsteps = 3\ndistances = [0.1]\n"));
+    write("q.obj", "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 2 -1\nv 1 2 1\nv 1 3 1\nf 1 2 3 4\nf 5 6 7\n");
+}
+
+#[test]
+fn objects_have_the_keys_of_the_page() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    inputs(dir);
     succeeds(dir, "tree build m.obj --out m.tree");
 
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/formats.md");
@@ -212,6 +218,39 @@ fn every_command_with_json_is_on_the_page() {
     let listed: BTreeSet<&str> = RUNS.map(|run| run.0).into_iter().chain(OTHERS).collect();
     let absent: Vec<&String> = with_json.iter().filter(|command| !listed.contains(command.as_str())).collect();
     assert!(with_json.len() >= 13 && absent.is_empty(), "{with_json:?}");
+}
+
+/// Runs, and the files of rows that they write; without one the rows are printed.
+const ROWS: [(&str, &str); 9] = [
+    ("classify s.toml --exact --decided-by --reasons --places", ""),
+    ("scene pairs s.toml", ""),
+    ("scene pairs boxes.toml --containment", ""),
+    ("scene pairs s.toml --index i.csv --out o.csv", "i.csv"),
+    ("scene run s.toml --cosim none", ""),
+    ("scene run s.toml --cosim none --pairs p.csv", "p.csv"),
+    ("self-intersections q.obj --csv d.csv", "d.csv"),
+    ("tree build q.obj --out q.tree --faces f.csv", "f.csv"),
+    ("tree query s.toml --out q.csv", "q.csv"),
+];
+
+#[test]
+fn every_column_of_rows_is_on_the_page() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    inputs(dir);
+    let page = |name: &str| fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(name)).unwrap();
+    let pages = page("formats.md") + &page("scenes.md");
+    let code = pages.split('`').skip(1).step_by(2).flat_map(|code| code.split([',', ' ', '{', '}'])).map(str::trim);
+    let code: BTreeSet<&str> = code.collect();
+    for (arguments, file) in ROWS {
+        let said = efsat(dir, arguments).1;
+        let rows = if file.is_empty() { said } else { fs::read_to_string(dir.join(file)).unwrap() };
+        let columns: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
+        // 18 numbers have two names on the page.
+        let is_number = |name: &&str| name.len() == 4 && name.ends_with(['x', 'y', 'z']) && name.contains('_');
+        let absent: Vec<&&str> = columns.iter().filter(|name| !is_number(name) && !code.contains(**name)).collect();
+        assert!(columns.len() >= 3 && absent.is_empty(), "{arguments}: {absent:?}");
+    }
 }
 
 /// The checks are shown something that they have to complain of.

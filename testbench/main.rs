@@ -36,6 +36,7 @@ mod proofs;
 mod protocol;
 mod readers;
 mod reported;
+mod research;
 mod scenes;
 mod schedule;
 mod self_intersections;

@@ -120,7 +120,7 @@ fn the_unit_answers_on_a_grid() {
     assert_eq!(pairs.lines().count() as u64, object["asked"].as_u64().unwrap());
     let some: Vec<&str> = pairs.lines().step_by(500).collect();
     fs::write(dir.join("some.csv"), some.join("\n")).unwrap();
-    succeeds(dir, "cosim --method exact --simulator builtin --pairs some.csv");
+    succeeds(dir, "cosim some.csv --method exact --simulator builtin");
     // A coarser unit has a coarser grid; on a finer one some pairs do not fit, and the host decides them.
     let told = told(dir, "builtin:gear --width 12 --grid 0.001 --exact");
     let count = |part: &str| told.lines().find(|line| line.contains(part)).unwrap().rsplit(' ').next().unwrap();

@@ -224,14 +224,32 @@
 
   const named = (p) => `${p.method} ${p.bits} bits · ${clocks(p.clocks)} · ${whole(p.multipliers)} mult.`;
 
-  // What accuracy costs, in a sentence.
+  // The knee of the front: what lies deepest below the line between its ends, both axes logarithmic.
+  function knee() {
+    const positive = front.map((p) => p.share).filter((share) => share > 0);
+    const place = (p) => [Math.log(p.ns), Math.log(p.share || Math.min(...positive) / 4)];
+    const [[x, y], [toX, toY]] = [place(front[0]), place(front.at(-1))];
+    const depth = (p) => y + ((toY - y) * (place(p)[0] - x)) / (toX - x) - place(p)[1];
+    const deepest = front.slice(1, -1).reduce((best, p) => (best && depth(best) >= depth(p) ? best : p), null);
+    return deepest && depth(deepest) > 0 ? deepest : null;
+  }
+
+  // What accuracy costs, in sentences.
   function answer() {
     const [fast, sure] = [front[0], front.at(-1)];
     const what = (p) => `${time(p.ns)} per pair with ${percent(p.share)} undecided`;
-    const words = !fast ? "No unit fits these settings."
-      : fast === sure ? `The fastest unit is also the most accurate: ${what(fast)}.`
-        : `The most accurate unit takes ${significant(sure.ns / fast.ns)} times as long as the fastest: ${what(sure)} instead of ${what(fast)}.`;
-    $("answer").textContent = words;
+    const words = !fast ? ["No unit fits these settings."]
+      : fast === sure ? [`The fastest unit is also the most accurate: ${what(fast)}.`]
+        : [`The most accurate unit takes ${significant(sure.ns / fast.ns)} times as long as the fastest: ${what(sure)} instead of ${what(fast)}.`];
+    const between = fast === sure ? null : knee();
+    if (between) {
+      words.push(`The knee between them is ${named(between)}: ${what(between)}.`);
+    }
+    const exact = scene.software.filter((test) => test.exact).sort((a, b) => a.ns - b.ns)[0];
+    if (exact && (!fast || exact.ns <= fast.ns)) {
+      words.push(`Software beats every unit: ${exact.name} takes ${time(exact.ns)} on one core and leaves nothing undecided.`);
+    }
+    $("answer").textContent = words.join(" ");
   }
 
   // Names beside the points of the front, or their numbers in the table where there is no room for names; names of tests

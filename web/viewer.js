@@ -58,7 +58,7 @@
 
   // Contacts come as lists, which are shorter: kind, objects, triangles, exact answer, and what there is of the rest.
   for (const frame of data.frames) {
-    frame.contacts = frame.contacts.map(([kind, a, b, p, q, exact, says, segment]) => ({ kind, a, b, p, q, exact, says, segment }));
+    frame.contacts = frame.contacts.map(([kind, a, b, p, q, exact, says, segment, reason]) => ({ kind, a, b, p, q, exact, says, segment, reason }));
     // What the unit left open comes first in the list.
     frame.contacts.sort((x, y) => (data.kinds[x.kind].verdict === "intersect") - (data.kinds[y.kind].verdict === "intersect"));
   }
@@ -169,6 +169,9 @@
       fact("triangles", `${called(contact.a, contact.p)}, ${called(contact.b, contact.q)}`);
       fact("unit’s answer", kind(contact).verdict);
       fact("exact answer", contact.exact);
+      if (contact.reason !== null) {
+        fact("undecided, as", contact.reason);
+      }
       box.replaceChildren(element("h2", {}, kind(contact).words), facts, ...why(contact));
     }
     draw();

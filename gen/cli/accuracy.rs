@@ -194,6 +194,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut store = output::claim(&arguments.out, &request)?;
     let bar = progress::bar("measuring", campaign.len() as u64, "points", false);
     bar.tick();
+    progress::kept(&arguments.out, &bar);
     let progress = campaign.run(&mut store, &|| bar.inc(1)).map_err(output::ended)?;
     bar.finish_and_clear();
     if let Some(shard) = arguments.shard {

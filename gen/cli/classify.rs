@@ -1,8 +1,9 @@
 //! `efsat classify`.
 
 use super::error::Failure;
-use super::output::{failure, print, print_json, table, tell};
+use super::output::{failure, print, print_json, reasoned, table, tell};
 use super::params::ParamArguments;
+use super::places::{self, Places};
 use super::progress;
 use super::source::{Source, SourceArguments};
 use efsat_geometry::Points;
@@ -49,6 +50,13 @@ pub(super) struct Arguments {
     /// Adds to each row who decided the pair: unit, host (the pair does not fit the unit) or, with --retest, retest
     #[arg(long, conflicts_with_all = ["json", "summary"])]
     decided_by: bool,
+    /// Adds to each row why the unit leaves the pair open, the gap that it measured and the error of that, in units of the last
+    /// place that it compares; empty if it decides
+    #[arg(long, conflicts_with_all = ["json", "summary"])]
+    reasons: bool,
+    /// Adds to each row of a scene where the pair is, as `scene pairs --index` does, and its 18 numbers
+    #[arg(long, conflicts_with_all = ["json", "summary", "random"])]
+    places: bool,
     /// Print one JSON object instead of rows
     #[arg(long)]
     json: bool,
@@ -60,8 +68,9 @@ pub(super) struct Arguments {
 }
 
 /// What is known of a pair.
-#[derive(Clone, Copy)]
 struct Answer {
+    /// Fields that stand behind those of the answer.
+    more: String,
     verdict: Verdict,
     host_decided: bool,
     open: bool,
@@ -123,7 +132,7 @@ impl Counts {
         }
     }
 
-    fn add(&mut self, answer: Answer) {
+    fn add(&mut self, answer: &Answer) {
         self.verdicts.count(answer.verdict);
         self.host_decided += u64::from(answer.host_decided);
         if let Some(second_stage) = &mut self.second_stage {
@@ -179,10 +188,12 @@ struct Sink {
 }
 
 impl Sink {
-    fn new(arguments: &Arguments, params: &Params) -> Result<Self, Failure> {
+    fn new(arguments: &Arguments, params: &Params, places: &str) -> Result<Self, Failure> {
         let mut rows = arguments.rows().then(|| BufWriter::new(io::stdout().lock()));
         if let Some(rows) = &mut rows {
-            let columns = [(arguments.exact, ",exact"), (arguments.decided_by, ",decided_by")];
+            let Arguments { exact, decided_by, reasons, .. } = *arguments;
+            let columns =
+                [(exact, ",exact"), (decided_by, ",decided_by"), (reasons, ",reason,gap,error"), (true, places)];
             let more: String = columns.iter().filter(|(wanted, _)| *wanted).map(|(_, name)| *name).collect();
             writeln!(rows, "pair,verdict{more}").map_err(failure)?;
         }
@@ -200,9 +211,9 @@ impl Sink {
                 if self.decided_by {
                     write!(rows, ",{}", answer.decided_by()).map_err(failure)?;
                 }
-                writeln!(rows).map_err(failure)?;
+                writeln!(rows, "{}", answer.more).map_err(failure)?;
             }
-            self.counts.add(*answer);
+            self.counts.add(answer);
         }
         Ok(())
     }
@@ -213,6 +224,7 @@ struct Classifier {
     reference: Reference,
     exact: bool,
     retest: bool,
+    reasons: bool,
 }
 
 impl Classifier {
@@ -229,7 +241,11 @@ impl Classifier {
         let host::Answer { verdict, host_decided } = pair.answer(golden, pose);
         let retested = self.retest && verdict == Verdict::PossiblyIncorrect;
         let verdict = if retested { retest().into() } else { verdict };
-        Answer { verdict, host_decided, open, retested, exact: self.exact.then(exact), truths_differ: None }
+        let more = match self.reasons {
+            true => format!(",{}", reasoned(pair.reason(golden, pose).as_ref())),
+            false => String::new(),
+        };
+        Answer { more, verdict, host_decided, open, retested, exact: self.exact.then(exact), truths_differ: None }
     }
 
     fn loose(&self, points: &[Points]) -> Vec<Answer> {
@@ -275,7 +291,13 @@ impl Classifier {
         Ok(())
     }
 
-    fn scene(&self, scene: &Scene, sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
+    fn scene(
+        &self,
+        scene: &Scene,
+        places: Option<&Places<'_>>,
+        sink: &mut Sink,
+        bar: &ProgressBar,
+    ) -> Result<(), Failure> {
         let stage = ReadyScene::new(scene, &self.reference.params);
         let answers = |meeting: &Meeting, pairs: &[(u32, u32)]| -> Vec<Answer> {
             if pairs.is_empty() {
@@ -286,7 +308,12 @@ impl Classifier {
             let answer = |&pair: &(u32, u32)| {
                 let [a, b] = posed.faces(pair);
                 let (retest, exact) = (|| posed.class(pair), || posed.relation(pair));
-                let answer = self.answer(&host.pose, &host.pair(a, b), retest, exact);
+                let mut answer = self.answer(&host.pose, &host.pair(a, b), retest, exact);
+                if let Some(places) = places {
+                    let points = places::points(stage.near.meshes(meeting), &meeting.pose, pair);
+                    let numbers = format!(",{}", places::fields(&points));
+                    answer.more += &format!(",{}", places.row(&places::place(meeting, pair), &numbers));
+                }
                 let differs =
                     |exact: Relation| (exact.class == Exact::Separate) != (posed.given(pair) == Exact::Separate);
                 let snapped = answer.exact.filter(|_| self.reference.params.truth == Truth::Snapped);
@@ -310,31 +337,38 @@ impl Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
-    let mut given = match (&arguments.file, &arguments.source) {
+    let given = match (&arguments.file, &arguments.source) {
         (Some(name), _) => Some(Source::file(name)?),
         (None, SourceArguments { scene: Some(name), .. }) => Some(Source::scene(name)?),
         (None, SourceArguments { random: Some(_), .. }) => None,
         _ => return Err(Failure::Usage("no pairs: expected one of FILE, --scene FILE and --random N".to_owned())),
     };
     // Of a file that begins with something else nothing is answered.
-    let first = match &mut given {
-        Some(Source::Pairs(file)) => file.next(BATCH)?,
-        _ => vec![],
+    let (mut file, scene) = match given {
+        Some(Source::Pairs(file)) => (Some(file), None),
+        Some(Source::Scene(scene)) => (None, Some(scene)),
+        None => (None, None),
     };
-    let mut sink = Sink::new(arguments, &params)?;
-    let Arguments { exact, retest, .. } = *arguments;
-    let classifier = Classifier { reference: Reference::new(&params), exact, retest };
+    let first = file.as_mut().map(|file| file.next(BATCH)).transpose()?;
+    if arguments.places && scene.is_none() {
+        return Err(Failure::Usage("--places: found pairs without places; expected a scene".to_owned()));
+    }
+    let places = scene.as_ref().filter(|_| arguments.places).map(Places::new);
+    let columns = |places: &Places<'_>| format!(",{}", places.columns(&format!(",{}", places::numbers())));
+    let mut sink = Sink::new(arguments, &params, &places.as_ref().map_or(String::new(), columns))?;
+    let Arguments { exact, retest, reasons, .. } = *arguments;
+    let classifier = Classifier { reference: Reference::new(&params), exact, retest, reasons };
     let bar = |count: u64, steps| progress::bar("answering", count, steps, arguments.rows());
-    match (&mut given, arguments.source.random) {
-        (Some(Source::Pairs(file)), _) => {
+    match (&mut file, &scene) {
+        (Some(file), _) => {
             let bar = bar(file.length(), "bytes");
-            classifier.file(first, file, &mut sink, &bar)?;
+            classifier.file(first.unwrap_or_default(), file, &mut sink, &bar)?;
         }
-        (Some(Source::Scene(scene)), _) => {
-            classifier.scene(scene, &mut sink, &bar(scene.frames() as u64, "poses"))?;
+        (None, Some(scene)) => {
+            classifier.scene(scene, places.as_ref(), &mut sink, &bar(scene.frames() as u64, "poses"))?;
         }
-        (None, count) => {
-            let count = count.unwrap_or_default();
+        (None, None) => {
+            let count = arguments.source.random.unwrap_or_default();
             classifier.random(count, arguments.source.seed, &mut sink, &bar(count, "pairs"))?;
         }
     }

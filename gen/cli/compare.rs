@@ -3,6 +3,7 @@
 mod tally;
 
 use super::error::Failure;
+use super::file;
 use super::output::{print, print_json};
 use super::params::{ParamArguments, whole};
 use super::progress;
@@ -21,7 +22,8 @@ use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
 use std::convert::Infallible;
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use tally::{Answer, TESTS, Tally};
 
 /// What excludes a mesh. Options of meshes exclude it by themselves: clap does not ask for what an option requires where
@@ -61,6 +63,10 @@ pub(super) struct Arguments {
     /// given
     #[arg(long, value_name = "UNIT", conflicts_with = "random")]
     units: Option<Units>,
+    /// Answers of another program, .csv, as one more test: a row for each pair in the order of `classify`, whose last field is
+    /// separate or 0, touch, intersect or 1, possibly-incorrect or 2; optional header. What is not separate counts as a contact
+    #[arg(long, value_name = "FILE", value_parser = file::rows)]
+    answers: Option<PathBuf>,
     /// Print one JSON object instead of tables
     #[arg(long)]
     json: bool,
@@ -143,6 +149,8 @@ impl Arguments {
 /// Answers pairs by the reference model, exactly and in software.
 struct Comparison {
     reference: Reference,
+    /// Whether another program sees a contact, pair by pair.
+    others: Option<Vec<bool>>,
 }
 
 impl Comparison {
@@ -153,7 +161,7 @@ impl Comparison {
             // What has been moved may have become infinite, where these tests see no contact.
             *seen = test.intersect(points).is_ok_and(|meets| meets);
         }
-        Answer { verdict, host_decided, truth, rounded, software }
+        Answer { verdict, host_decided, truth, rounded, software, other: None }
     }
 
     /// Pairs in one frame, the first of which is number `first`.
@@ -163,7 +171,17 @@ impl Comparison {
             let (pair, truth) = (loose_pair(p, &self.reference.params).expect(FINITE), exact::pair(p).expect(FINITE));
             self.answer(&self.reference.identity, &pair, p, truth, None)
         };
-        tally(pairs, first, answer)
+        self.tally(pairs, first, answer)
+    }
+
+    /// Answers pairs, the first of which is number `first`.
+    fn tally<P: Sync>(&self, pairs: &[P], first: u64, answer: impl Fn(&P) -> Answer + Sync) -> Tally {
+        let add = |tally: Tally, (index, pair): (usize, &P)| {
+            let number = first + index as u64;
+            let other = self.others.as_ref().and_then(|all| all.get(number as usize).copied());
+            tally.add(number, &Answer { other, ..answer(pair) })
+        };
+        pairs.par_iter().enumerate().fold(Tally::default, add).reduce(Tally::default, |x, y| x.merge(&y))
     }
 
     fn random(&self, count: u64, seed: u64, bar: &ProgressBar) -> Tally {
@@ -206,7 +224,7 @@ impl Comparison {
                 let rounded = exact::pair(&points).ok();
                 self.answer(&host.pose, &host.pair(of_a, of_b), &points, posed.relation(pair).class, rounded)
             };
-            total = std::mem::take(&mut total).merge(&tally(pairs, done, answer));
+            total = std::mem::take(&mut total).merge(&self.tally(pairs, done, answer));
             done += pairs.len() as u64;
             Ok(())
         });
@@ -214,10 +232,24 @@ impl Comparison {
     }
 }
 
-/// Answers pairs, the first of which is number `first`.
-fn tally<P: Sync>(pairs: &[P], first: u64, answer: impl Fn(&P) -> Answer + Sync) -> Tally {
-    let add = |tally: Tally, (index, pair): (usize, &P)| tally.add(first + index as u64, &answer(pair));
-    pairs.par_iter().enumerate().fold(Tally::default, add).reduce(Tally::default, |x, y| x.merge(&y))
+/// The answers of a file: whether each is a contact.
+fn others(path: &Path) -> Result<Vec<bool>, Failure> {
+    file::reads(path);
+    let place = path.display();
+    let text = fs::read_to_string(path)
+        .map_err(|e| Failure::Usage(format!("{place}: cannot be read ({e}); expected a table of answers")))?;
+    let answer = |line: &str| match line.rsplit(',').next().unwrap_or_default().trim() {
+        "separate" | "0" => Some(false),
+        "touch" | "intersect" | "possibly-incorrect" | "1" | "2" => Some(true),
+        _ => None,
+    };
+    let header = text.lines().next().filter(|line| answer(line).is_none() && line.contains(char::is_alphabetic));
+    let rows = text.lines().enumerate().skip(usize::from(header.is_some()));
+    let read = |(number, line): (usize, &str)| {
+        let expected = "expected separate, touch, intersect or possibly-incorrect, or 0, 1 or 2, behind the last comma";
+        answer(line).ok_or_else(|| Failure::Usage(format!("{place}: line {}: found '{line}'; {expected}", number + 1)))
+    };
+    rows.map(read).collect()
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -227,7 +259,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Usage(format!("--truth snapped: expected given, as {why}")));
     }
     let (source, pairs) = arguments.pairs()?;
-    let comparison = Comparison { reference: Reference::new(&params) };
+    let others = arguments.answers.as_deref().map(others).transpose()?;
+    let comparison = Comparison { reference: Reference::new(&params), others };
     let bar = |count: u64, steps| progress::bar("comparing", count, steps, false);
     let (tally, poses, units) = match &pairs {
         Pairs::Loose(pairs) => {
@@ -245,7 +278,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             (comparison.scene(scene, *units, &bar(poses, "poses")), Some(poses), Some(units.name()))
         }
     };
-    let report = tally.report(source, poses, units);
+    let given = arguments.answers.as_ref().map(|path| path.display().to_string());
+    let report = tally.report(source, poses, units, given.as_deref());
+    if let (Some(name), Some(others)) = (&given, &comparison.others)
+        && others.len() as u64 != report.pairs
+    {
+        let (found, expected) = (others.len(), report.pairs);
+        return Err(Failure::Usage(format!("{name}: found {found} answers; expected {expected}, one for each pair")));
+    }
     if arguments.json {
         print_json(&report)?;
     } else {

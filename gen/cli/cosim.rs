@@ -37,8 +37,8 @@ const SCENE_LIMIT: u64 = 2000;
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// Pairs of a file: .csv, .f64 or - as for classify, or a scene, .toml
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
-    pairs: Option<String>,
+    #[arg(value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
+    file: Option<String>,
     #[command(flatten)]
     source: SourceArguments,
     /// Take an evenly spread sample of N pairs of a file or scene [default: 2000 of a scene, all of a file]
@@ -170,7 +170,7 @@ pub(super) fn spread(total: u64, limit: u64) -> impl Iterator<Item = u64> {
 }
 
 fn job(arguments: &Arguments, params: &Params) -> Result<Job, Failure> {
-    let source = match (&arguments.pairs, &arguments.source.scene) {
+    let source = match (&arguments.file, &arguments.source.scene) {
         (Some(name), _) => Source::file(name)?,
         (None, Some(name)) => Source::scene(name)?,
         (None, None) => {

@@ -1,6 +1,6 @@
 //! Why a command ends without success.
 
-use clap::error::ErrorKind;
+use clap::error::{ContextKind, ErrorKind};
 use efsat_checks::cosim::CosimError;
 use efsat_checks::journal::JournalError;
 use efsat_checks::synth::SynthError;
@@ -99,7 +99,11 @@ pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
             (None, false) => message.push_str(&format!("; {line}")),
         }
     }
+    let invalid = |kind| e.get(kind).map(ToString::to_string).unwrap_or_default();
     match e.kind() {
+        ErrorKind::InvalidValue if invalid(ContextKind::InvalidArg).starts_with("--device ") => {
+            message.push_str(&of_family(&invalid(ContextKind::InvalidValue)));
+        }
         ErrorKind::UnknownArgument => message.push_str("; --help lists the options"),
         ErrorKind::InvalidSubcommand => {
             // Only where the commands of the program itself are expected.
@@ -111,4 +115,19 @@ pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
         _ => {}
     }
     Failure::Usage(message)
+}
+
+/// Words that name a family, and one of its devices.
+const FAMILIES: [(&[&str], &str, &str); 4] = [
+    (&["xc7", "artix", "kintex", "zynq", "spartan7"], "the 7 series", "xc7a100t-1"),
+    (&["xc6", "spartan6"], "Spartan-6", "xc6slx150-3"),
+    (&["xc2v", "virtex2"], "Virtex-II", "xc2v6000-4"),
+    (&["lfe5", "ecp5"], "the ECP5", "lfe5u-85-6"),
+];
+
+/// What to take for a device that is not known, if its family is.
+fn of_family(device: &str) -> String {
+    let name: String = device.to_lowercase().chars().filter(char::is_ascii_alphanumeric).collect();
+    let known = FAMILIES.iter().find(|(words, ..)| words.iter().any(|word| name.starts_with(word)));
+    known.map_or(String::new(), |(_, family, like)| format!("; for another device of {family} take {like}"))
 }

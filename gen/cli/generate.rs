@@ -7,7 +7,7 @@ use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
 use efsat_checks::synth::{SynthError, verilog};
 use efsat_engine::artefact::{engine_design_files_with, engine_verilog_files, samples};
-use efsat_engine::ready::ready_files;
+use efsat_engine::ready::{ENGINES, ready_files};
 use efsat_hardware::device::Resources;
 use efsat_hardware::estimate;
 use efsat_unit::artefact::{
@@ -57,7 +57,8 @@ pub(super) struct Arguments {
     /// Print one JSON object about the design
     #[arg(long, conflicts_with_all = ["lp", "dump", "check", "ready", "unit"])]
     json: bool,
-    /// Write the collision engine around the unit: two trees and a pose in, the pairs of triangles that touch out
+    /// Write the collision engine: two trees and a pose in, the pairs of triangles that touch out. The unit in it is by default of
+    /// --method determinants, with --clocks-per-pair 1, 2 or 3 for --expansion-clocks 1, 2 or 4
     #[arg(long, requires = "out", conflicts_with_all = ["lp", "dump", "ready", "stream_width", "unit", "svg", "dot"])]
     engine: bool,
     /// With --engine: no trees; a packet is a pose and the numbers of two triangles in memory for each pair, 8 bytes
@@ -86,10 +87,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .into_iter()
         .flatten()
         .try_for_each(|dir| file::named(dir, "directory"))?;
-    let params = arguments.params.params()?;
     if arguments.engine {
         return engine(arguments);
     }
+    let params = arguments.params.params()?;
     arguments.engine_params.refuse()?;
     if arguments.ready {
         return ready(arguments, &params);
@@ -328,7 +329,8 @@ fn ready(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
         return check(&set, out);
     }
     set.write(out)?;
-    print(&format!("{}: {} files, {} designs and an engine\n", out.display(), set.len(), ready_designs().len()))
+    let (files, designs) = (set.len(), ready_designs().len());
+    print(&format!("{}: {files} files, {designs} designs and {ENGINES} engines\n", out.display()))
 }
 
 /// The command line that stands in the files of a design.

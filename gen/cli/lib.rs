@@ -17,6 +17,8 @@ mod manual;
 mod mutate;
 mod output;
 mod params;
+mod plan_engine;
+mod places;
 mod progress;
 mod scene;
 mod self_intersections;
@@ -29,11 +31,10 @@ mod wall;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use error::Failure;
-use params::ParamArguments;
+use params::{EngineArguments, ParamArguments};
 use std::process::ExitCode;
 
-/// Generates and proves synthesizable VHDL for EFSAT, an exact triangle-triangle intersection unit in fixed-point
-/// interval arithmetic
+/// Do triangles intersect? Answers exactly in software, and generates and checks VHDL for units whose definite answers are never wrong
 #[derive(Debug, Parser)]
 #[command(name = "efsat", version = VERSION, after_help = AFTER)]
 struct CommandLine {
@@ -58,6 +59,7 @@ enum Command {
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
     Scene(scene::Arguments),
+    PlanEngine(plan_engine::Arguments),
     Tree(tree::Arguments),
     SelfIntersections(self_intersections::Arguments),
     Accuracy(accuracy::Arguments),
@@ -68,6 +70,9 @@ enum Command {
 
 /// Runs the command line of the process.
 pub fn main() -> ExitCode {
+    if let Some(help) = params::design_help(typed) {
+        return ended(output::print(&help));
+    }
     let result = match CommandLine::try_parse() {
         Ok(CommandLine { command }) => match command {
             Command::Generate(arguments) => generate::run(&arguments),
@@ -79,6 +84,7 @@ pub fn main() -> ExitCode {
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),
             Command::Scene(arguments) => scene::run(&arguments),
+            Command::PlanEngine(arguments) => plan_engine::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),
             Command::SelfIntersections(arguments) => self_intersections::run(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
@@ -89,6 +95,11 @@ pub fn main() -> ExitCode {
         Err(e) if !e.use_stderr() => output::print(&e.render().to_string()),
         Err(e) => Err(error::from_clap(&e, &commands())),
     };
+    ended(result)
+}
+
+/// The exit status, after it is said why.
+fn ended(result: Result<(), Failure>) -> ExitCode {
     match result {
         // Whoever reads has seen enough: `| head`.
         Ok(()) | Err(Failure::Closed) => ExitCode::SUCCESS,
@@ -118,12 +129,17 @@ pub fn check<'w>(words: impl IntoIterator<Item = &'w str>) -> Result<(), clap::E
     if !command.get_arguments().any(|argument| argument.get_id() == "like_paper") {
         return Ok(());
     }
-    let fits = ParamArguments::from_arg_matches(matches)?.params();
+    let is_set = |flag| matches.try_get_one::<bool>(flag).ok().flatten().copied();
+    let unit = ParamArguments::from_arg_matches(matches)?;
+    let fits = match is_set("engine") {
+        Some(true) => EngineArguments::from_arg_matches(matches)?.unit(&unit, is_set("pairs_by_number") == Some(true)),
+        _ => unit.params(),
+    };
     fits.map(|_| ()).map_err(|failure| clap::Error::raw(ErrorKind::ValueValidation, failure.message()))
 }
 
-/// The names of the commands that may follow those on the command line.
-fn commands() -> Vec<String> {
+/// The command on the command line, as far as it is one.
+fn typed() -> clap::Command {
     let mut command = CommandLine::command();
     for argument in std::env::args_os().skip(1) {
         match command.find_subcommand(&argument) {
@@ -131,7 +147,17 @@ fn commands() -> Vec<String> {
             None => break,
         }
     }
-    command.get_subcommands().map(|c| c.get_name().to_owned()).collect()
+    command
+}
+
+/// The names of the commands that may follow those on the command line.
+fn commands() -> Vec<String> {
+    typed().get_subcommands().map(|c| c.get_name().to_owned()).collect()
+}
+
+/// Says on standard error what an interruption leaves.
+pub fn interrupted() {
+    output::tell("interrupted", &progress::left());
 }
 
 /// Says on standard error why the process ends with `status`.

@@ -1,6 +1,7 @@
 //! Standard output, whose reader may leave at any time; and the shapes that several commands print.
 
 use super::error::Failure;
+use efsat_unit::golden::{Margin, Reason};
 use efsat_unit::host::Verdicts;
 use efsat_unit::pair::Verdict;
 use serde::Serialize;
@@ -26,6 +27,18 @@ pub(super) fn counted(count: impl Into<u64>, things: &str) -> String {
     let count = count.into();
     let things = if count == 1 { things.strip_suffix('s').unwrap_or(things) } else { things };
     format!("{count} {things}")
+}
+
+/// A text as a field of a CSV file.
+pub(super) fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
+}
+
+/// Why a pair is undecided, the gap and its error, as three fields; empty ones of a pair that is not.
+pub(super) fn reasoned(reason: Option<&Reason>) -> String {
+    let words = reason.map_or(String::new(), |reason| quoted(&reason.words));
+    let margin = reason.and_then(|reason| reason.margin).map(|Margin { gap, error }| [gap, error].map(readable));
+    format!("{words},{}", margin.unwrap_or_default().join(","))
 }
 
 /// A number as it is read most easily.

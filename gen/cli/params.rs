@@ -2,7 +2,7 @@
 
 use super::error::Failure;
 use clap::parser::ValueSource;
-use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Id};
 use efsat_engine::artefact::EngineDesign;
 use efsat_engine::params::{EngineParams, Memory};
 use efsat_unit::design::top::DesignError;
@@ -21,15 +21,32 @@ pub(super) struct ParamArguments {
 impl ParamArguments {
     /// The parameters, if they fit together.
     pub fn params(&self) -> Result<Params, Failure> {
-        if self.like_paper && self.typed.method != Method::Axes {
-            let found = self.typed.method.name();
+        self.fitting(self.typed.clone())
+    }
+
+    /// The parameters of the unit in an engine, which is `usual` where neither method nor pace was typed.
+    fn in_engine(&self, usual: &Params) -> Result<Params, Failure> {
+        let mut params = self.typed.clone();
+        if !self.has("method") && !self.like_paper {
+            params.method = usual.method;
+        }
+        if !self.has("clocks-per-pair") && params.method != Method::Axes {
+            params.clocks_per_pair = usual.clocks_per_pair;
+        }
+        self.fitting(params)
+    }
+
+    /// Parameters with what was typed in them, if all fit together.
+    fn fitting(&self, params: Params) -> Result<Params, Failure> {
+        if self.like_paper && params.method != Method::Axes {
+            let found = params.method.name();
             return Err(Failure::Usage(format!("--like-paper with --method {found}: expected --method axes")));
         }
         // The choice of the method itself is no option of the method.
-        let typed = |option: &str| option != "method" && self.given.contains(&option);
-        let given = self.typed.every_option().into_iter().filter(|(option, _)| typed(option));
-        self.typed.has(given).and_then(|()| self.typed.validate()).map_err(DesignError::from)?;
-        Ok(self.typed.clone())
+        let typed = |option: &str| option != "method" && self.has(option);
+        let given = params.every_option().into_iter().filter(|(option, _)| typed(option));
+        params.has(given).and_then(|()| params.validate()).map_err(DesignError::from)?;
+        Ok(params)
     }
 
     /// Whether an option was typed.
@@ -69,7 +86,7 @@ impl EngineArguments {
 
     /// The engine around a unit.
     pub fn design(&self, unit: &ParamArguments) -> Result<EngineDesign, Failure> {
-        Ok(EngineDesign::new(&self.typed, &self.unit(unit)?)?)
+        Ok(EngineDesign::new(&self.typed, &self.unit(unit, false)?)?)
     }
 
     /// The engine that takes pairs by number.
@@ -79,12 +96,13 @@ impl EngineArguments {
             let why = format!("expected none of the engine's options but --{}", has.join(", --"));
             return Err(Failure::Usage(format!("--{option} {value} with --pairs-by-number: {why}")));
         }
-        Ok(EngineDesign::by_number(&self.typed, &self.unit(unit)?)?)
+        Ok(EngineDesign::by_number(&self.typed, &self.unit(unit, true)?)?)
     }
 
-    /// The unit in an engine.
-    fn unit(&self, unit: &ParamArguments) -> Result<Params, Failure> {
-        let params = unit.params()?;
+    /// The unit in an engine. For pairs by number it is by default as fast as their words come.
+    pub fn unit(&self, unit: &ParamArguments, by_number: bool) -> Result<Params, Failure> {
+        let usual = if by_number { Params::of(Method::Determinants) } else { self.typed.unit() };
+        let params = unit.in_engine(&usual)?;
         if unit.has("tag-width") {
             let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
             return Err(Failure::Usage(format!("--tag-width {}: {why}", params.tag_width)));
@@ -122,11 +140,14 @@ impl Args for EngineArguments {
     }
 
     fn augment_args(command: Command) -> Command {
-        EngineParams::augment_args(command)
+        let ids = EngineParams::default().options().into_iter().map(|(option, _)| option.replace('-', "_"));
+        ids.fold(EngineParams::augment_args(command), |command, id| {
+            command.mut_arg(id, |arg| arg.hide_short_help(true))
+        })
     }
 
     fn augment_args_for_update(command: Command) -> Command {
-        EngineParams::augment_args_for_update(command)
+        Self::augment_args(command)
     }
 }
 
@@ -158,12 +179,38 @@ impl Args for ParamArguments {
     }
 }
 
-/// Options that not all methods have stand apart in the help.
+/// What stands in short help for all options of a design, and prints them.
+const HELP: &str = "help-design";
+
+/// Options that not all methods have stand apart in the help, and short help has one line for all.
 fn grouped(command: Command) -> Command {
-    let of_methods = Params::OPTIONS.iter().filter_map(|row| Some((row.name.replace('-', "_"), heading(row)?)));
-    let command =
-        of_methods.fold(command, |command, (id, heading)| command.mut_arg(id, |arg| arg.help_heading(heading)));
-    command.mut_arg("like_paper", |arg| arg.help_heading(AXES))
+    let rows = Params::OPTIONS.iter().map(|row| (row.name.replace('-', "_"), heading(row)));
+    let all = rows.chain([("like_paper".to_owned(), Some(AXES))]);
+    let command = all.fold(command, |command, (id, heading)| {
+        command.mut_arg(id, |arg| {
+            match heading {
+                Some(heading) => arg.help_heading(heading),
+                None => arg,
+            }
+            .hide_short_help(true)
+        })
+    });
+    let help = format!("Print the {} options of the design, such as --method and --width", Params::OPTIONS.len() + 1);
+    command.arg(Arg::new("help_design").long(HELP).action(ArgAction::SetTrue).help(help).display_order(998))
+}
+
+/// The help of the options of a design, if it is asked for and the command has such.
+pub(super) fn design_help(command: impl FnOnce() -> Command) -> Option<String> {
+    let asked = format!("--{HELP}");
+    std::env::args_os().take_while(|word| word != "--").find(|word| *word == *asked)?;
+    let command = command();
+    command.get_arguments().find(|arg| arg.get_long() == Some(HELP))?;
+    let of_design = |arg: Arg| {
+        let others = !arg.is_hide_short_help_set();
+        arg.hide(others)
+    };
+    let mut command = command.disable_help_flag(true).help_template("{all-args}\n").mut_args(of_design);
+    Some(command.render_long_help().to_string())
 }
 
 const AXES: &str = "Parameters of --method axes";
@@ -186,6 +233,34 @@ mod tests {
         let command = ParamArguments::augment_args(clap::Command::new("efsat").no_binary_name(true));
         let matches = command.try_get_matches_from(options).unwrap();
         ParamArguments::from_arg_matches(&matches).unwrap().params().unwrap()
+    }
+
+    /// The unit of an engine: its method and clocks per pair.
+    fn in_engine(options: &str, by_number: bool) -> Result<(Method, usize), Failure> {
+        let command = clap::Command::new("efsat").no_binary_name(true);
+        let command = EngineArguments::augment_args(ParamArguments::augment_args(command));
+        let matches = command.try_get_matches_from(options.split_whitespace()).unwrap();
+        let unit = ParamArguments::from_arg_matches(&matches).unwrap();
+        let params = EngineArguments::from_arg_matches(&matches).unwrap().unit(&unit, by_number)?;
+        Ok((params.method, params.interval()))
+    }
+
+    #[test]
+    fn the_unit_of_an_engine_keeps_up_with_it() {
+        for (options, by_number, method, interval) in [
+            ("", false, Method::Determinants, 3),
+            ("--expansion-clocks 2", false, Method::Determinants, 2),
+            ("--expansion-clocks 1 --span 3", false, Method::Determinants, 1),
+            ("--clocks-per-pair 6", false, Method::Determinants, 6),
+            ("--method determinants", false, Method::Determinants, 3),
+            ("", true, Method::Determinants, 1),
+            ("--method axes", false, Method::Axes, 11),
+            ("--like-paper", false, Method::Axes, 11),
+        ] {
+            assert_eq!(in_engine(options, by_number).unwrap(), (method, interval), "{options}");
+        }
+        let message = in_engine("--axes 17", false).unwrap_err().message();
+        assert_eq!(message, "--axes 17: expected --method axes, which has this option");
     }
 
     #[test]

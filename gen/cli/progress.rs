@@ -1,8 +1,29 @@
-//! Progress on standard error, where that is a terminal.
+//! Progress on standard error, where that is a terminal; and what an interruption leaves.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
+
+/// Where finished steps are kept, and the bar that counts them.
+static KEPT: Mutex<Option<(PathBuf, ProgressBar)>> = Mutex::new(None);
+
+/// From now on each step of a bar is kept in `place` as soon as it is finished.
+pub(super) fn kept(place: &Path, bar: &ProgressBar) {
+    *KEPT.lock().unwrap_or_else(PoisonError::into_inner) = Some((place.to_owned(), bar.clone()));
+}
+
+/// What an interruption leaves, and how to go on.
+pub(super) fn left() -> String {
+    match &*KEPT.lock().unwrap_or_else(PoisonError::into_inner) {
+        None => "nothing is kept but what was printed; the same command begins again".to_owned(),
+        Some((place, bar)) => {
+            let (done, all) = (bar.position(), bar.length().unwrap_or_default());
+            format!("{done} of {all} {} are kept in {}; the same command goes on", bar.prefix(), place.display())
+        }
+    }
+}
 
 /// A bar for a phase of so many steps, which are called `steps`; invisible without a terminal, without a step, and with
 /// `busy` (rows go to the same terminal).

@@ -45,8 +45,8 @@ pub(super) struct Arguments {
     /// triangle, also which triangle of its face each one is, from 0
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// With --grid or --width, write all pairs that the unit is asked about to a .csv file, as `efsat cosim --method exact --pairs
-    /// FILE` reads them: for two triangles one row, two if they have one common vertex, none if they are duplicates
+    /// With --grid or --width, write all pairs that the unit is asked about to a .csv file, as `efsat cosim FILE --method exact`
+    /// reads them: for two triangles one row, two if they have one common vertex, none if they are duplicates
     #[arg(long, value_name = "FILE", value_parser = file::rows)]
     pairs: Option<PathBuf>,
     /// Draw the mesh with its defects, as .svg or .png

@@ -62,8 +62,11 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let params = arguments.params.params()?;
     let engine = engine(arguments)?;
+    let params = match &engine {
+        Some(engine) => engine.unit.params.clone(),
+        None => arguments.params.params()?,
+    };
     let device = device::find(&params.device).map_err(|e| Failure::Usage(e.to_string()))?;
     let flow = arguments.flow.unwrap_or(Flow::of(device));
     let of_placement = [

@@ -41,19 +41,28 @@ struct Index {
     device: &'static str,
     frequency: u32,
     rows: Vec<Row>,
-    engine: EngineRow,
+    engines: Vec<EngineRow>,
 }
 
-/// What the index says of the engine.
+/// What the index says of an engine.
 struct EngineRow {
     name: &'static str,
+    options: &'static str,
     multipliers: usize,
+    block_rams: u64,
     expansion_clocks: usize,
     pair_clocks: usize,
 }
 
-/// The folder of the ready engine, which has the defaults of all its options.
-const ENGINE: &str = "engine";
+/// How many ready engines there are.
+#[doc(hidden)]
+pub const ENGINES: usize = 2;
+
+/// The folders of the ready engines, their options and the units in them.
+fn engines() -> [(&'static str, &'static str, Params); ENGINES] {
+    let usual = EngineParams::default().unit();
+    [("engine", "--engine", usual), ("engine-axes", "--engine --method axes", Params::default())]
+}
 
 /// All ready designs, a folder each, with an index and a manifest of the whole. `command_line` says how a design that is
 /// packaged so is generated.
@@ -66,7 +75,7 @@ pub fn ready_files(command_line: impl Fn(&Params, &Packaging) -> String) -> Resu
         let design = Design::new(&ready.params, false)?;
         let packaging = Packaging { stream_width: ready.stream_width, ..Packaging::default() };
         let files = design_files_with(&design, &packaging, &command_line(&ready.params, &packaging))?;
-        files.iter().for_each(|(name, text)| set.insert(format!("{}/{name}", ready.name), text));
+        set.insert_folder(ready.name, files);
         let cells = estimate::whole(&design.top, design.device);
         rows.push(Row {
             name: ready.name,
@@ -82,8 +91,9 @@ pub fn ready_files(command_line: impl Fn(&Params, &Packaging) -> String) -> Resu
     }
     let params = Params::default();
     let device = Design::check(&params)?.name;
-    let engine = engine(&mut set, &params)?;
-    let index = Index { version: env!("CARGO_PKG_VERSION"), device, frequency: params.frequency, rows, engine };
+    let engines = engines().into_iter().map(|(name, options, unit)| engine(&mut set, name, options, &unit));
+    let engines = engines.collect::<Result<_, _>>()?;
+    let index = Index { version: env!("CARGO_PKG_VERSION"), device, frequency: params.frequency, rows, engines };
     set.insert("README.md", index.render().expect("the template renders"));
     let whole = whole_manifest(&set);
     set.insert(manifest::NAME, whole);
@@ -91,14 +101,21 @@ pub fn ready_files(command_line: impl Fn(&Params, &Packaging) -> String) -> Resu
 }
 
 /// Adds the engine around a unit.
-fn engine(set: &mut FileSet, unit: &Params) -> Result<EngineRow, ReadyError> {
+fn engine(
+    set: &mut FileSet,
+    name: &'static str,
+    options: &'static str,
+    unit: &Params,
+) -> Result<EngineRow, ReadyError> {
     let design = EngineDesign::new(&EngineParams::default(), unit)?;
     let vectors = samples::text(&design).map_err(DesignError::from)?;
     let files = engine_design_files(&design, &Prefix::default(), &design.command_line(), &vectors)?;
-    files.iter().for_each(|(name, text)| set.insert(format!("{ENGINE}/{name}"), text));
+    set.insert_folder(name, files);
     Ok(EngineRow {
-        name: ENGINE,
+        name,
+        options,
         multipliers: design.multipliers().iter().sum(),
+        block_rams: design.block_rams(),
         expansion_clocks: design.volume.interval,
         pair_clocks: design.unit.interval,
     })
@@ -126,8 +143,10 @@ mod tests {
             let row = format!("| [{0}]({0}/README.md) |", ready.name);
             assert!(set.get("README.md").unwrap().contains(&row), "{row}");
         }
-        for file in ["README.md", "efsat_engine.vhd", "efsat_engine_tb.vec", "manifest.json"] {
-            assert!(set.get(&format!("{ENGINE}/{file}")).is_some(), "{file}");
+        for (name, ..) in engines() {
+            for file in ["README.md", "efsat_engine.vhd", "efsat_engine_tb.vec", "manifest.json"] {
+                assert!(set.get(&format!("{name}/{file}")).is_some(), "{name}/{file}");
+            }
         }
         assert_eq!(manifest::files(set.get(manifest::NAME).unwrap()).unwrap().len(), set.len() - 1);
     }

@@ -68,6 +68,9 @@ type Answers<'py> = (
     Bound<'py, PyArray1<bool>>,
 );
 
+/// Numbers, and whether each is sticky.
+type Numbers<'py> = (Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<bool>>);
+
 impl Design {
     fn hosts(&self, points: &[Points]) -> PyResult<Vec<Host>> {
         let one =
@@ -135,11 +138,7 @@ impl Design {
     }
 
     /// The numbers at the ports of the unit, n by 18, and the sticky bit of each; zeros for pairs that the host decides.
-    fn numbers<'py>(
-        &self,
-        py: Python<'py>,
-        points: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<(Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<bool>>)> {
+    fn numbers<'py>(&self, py: Python<'py>, points: PyReadonlyArray2<'py, f64>) -> PyResult<Numbers<'py>> {
         let pair = |host: Host| match host {
             Host::Unit(pair) => pair,
             Host::Decided(_) => Pair::default(),
@@ -171,7 +170,7 @@ impl Design {
         let mut unit = StandIn::new(&self.reference.params, stream_width(width)?).map_err(value_error)?;
         let bytes = self.driver(width)?.format().answer_width() as usize / 8;
         let one = |given: &Vec<u8>| {
-            if given.is_empty() || given.len() % size != 0 {
+            if given.is_empty() || !given.len().is_multiple_of(size) {
                 let found = given.len();
                 return Err(PyValueError::new_err(format!("a packet of {found} bytes: expected a multiple of {size}")));
             }

@@ -14,7 +14,7 @@ pub use crate::design::sequencer::output;
 pub use crate::design::slots::Slots;
 
 // Constants for users, and their side in C and Python.
-pub use crate::artefact::wrap::host::{HostSide, constants_package};
+pub use crate::artefact::wrap::host::{HostSide, RETEST, constants_package, retest};
 
 // Files: bits of words, the example behind a UART, boards, lists, Verilog, and the manifest.
 pub use crate::artefact::bits::Bits;

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The exact axis brought to the working width. First it is shifted left by the leading zeros that its six bounds
 -- have in common once they are rounded without a shift: so rounding behind the shift overflows nothing.

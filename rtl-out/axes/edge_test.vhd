@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Whether an edge passes through the other triangle: its ends are on different sides of that triangle's plane, and
 -- the edges of that triangle are all on one side of it (contract, section 7).

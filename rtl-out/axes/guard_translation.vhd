@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The guard of an input number (section 10 of the contract): outside its declared range it is flagged, and its low
 -- bits alone go on, a number inside. Whatever the word is, all formats behind hold what is computed from it.

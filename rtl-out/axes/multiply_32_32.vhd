@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- p = x * y, exact, from partial products. The operands are cut into parts of 17 unsigned bits and a signed top part;
 -- each two parts have a multiplier, except two short top parts, which are multiplied in look-up tables. Partial

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Re-normalisation, third step: x / 2^L, a power of two for each coordinate axis (an affine map, so the answer
 -- stays), rounded outward to the working format. A barrel shifter; flag i shifts by 2^i.

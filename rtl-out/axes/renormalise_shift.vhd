@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Re-normalisation, second step: the leading zeros of the OR of all magnitudes of one coordinate, found by halving
 -- from the top. Flag i: shift by 2^i.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The sign case of an interval, which tells a product which bounds to take.
 --   00: 0 <= lo        01: lo < 0, hi <= 0

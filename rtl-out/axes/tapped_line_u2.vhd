@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- What x was tap + 1 clocks before, up to 16: a shift register for each bit, which is one look-up
 -- table (SRL16). Takes the place of registers for several values and of the multiplexer behind them.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Whether rounding makes R or -R of a coordinate along an axis: then a bit more is dropped.
 -- Combinational.

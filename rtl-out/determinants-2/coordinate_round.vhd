@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The coordinates of a point: the last bit rounded off, or the last two where an axis carries.
 -- Combinational.

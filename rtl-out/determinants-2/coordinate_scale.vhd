@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The differences of a point go left, each axis by its own shift; what is cut off below leaves one bit to round by:
 -- floor(2 x / 2^d).

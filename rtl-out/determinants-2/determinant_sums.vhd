@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Determinants from dot products (section 4 of docs/determinants.md):
 --   plane_b(i) = v - (d_i0 + d_i1 + d_i2)

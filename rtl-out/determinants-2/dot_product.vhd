@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The dot product x . m, exact. Three multipliers at up to 18 bits.
 -- Latency: 2 clocks.

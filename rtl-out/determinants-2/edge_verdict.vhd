@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- An edge and the other triangle. It is missed if both ends are on one side of the triangle's plane, or if the sides
 -- on which it passes the other edges differ. It pierces if the ends are on different sides and the sides are alike.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- F(x) = 4 x + 2^level x: what errors of coordinates are multiplied by, in eighths.
 -- Combinational.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- A moment rounded to the working width: places bits are dropped, and one by rounding.
 -- Combinational.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- p = x * y with its register, in an entity of its own, so that synthesis merges the two (Xilinx AR 13182).
 -- Latency: 1 clock.

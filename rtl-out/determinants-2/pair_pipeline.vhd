@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with
 -- bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is

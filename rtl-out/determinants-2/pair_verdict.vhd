@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The verdict: separate if the boxes are apart, if a plane has the other triangle on one side, or if at least five of
 -- the six edges are missed; else intersect if an edge pierces; else possibly incorrect.

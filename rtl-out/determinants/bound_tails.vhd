@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- What the bounds have beside F (section 5 of docs/determinants.md), with c = c(3) and c(5) = 4 c:
 --   plane_a(l) = 4 w_l + c, also of V_0 against the plane of B

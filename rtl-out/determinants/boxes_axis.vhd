@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Whether along an axis all of A is above all of B, or all of B above all of A, and by more than coordinates can be
 -- wrong. V_0 is 0.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Whether a number is certainly positive, and whether it is certainly negative: x > bound, x < -bound.
 -- Combinational.

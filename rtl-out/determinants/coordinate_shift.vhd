@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- How far the five differences along a coordinate axis go left: by the leading zeros that they have in common, but by
 -- no more than leaves the least number of bits to drop. A flag for each step of the shift.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- One row of M times one vertex: the sum of (2 m + 1) (2 w + 1), the middles of both, rounded to the input format
 -- (section 2 of docs/determinants.md):

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- One component of a moment, c = x y - x' y', without the bits that no shift keeps; one is left to round by.
 -- too_great(k): round(c, N - span + k) is not in [-R, R - 1].

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The L1 norm of a vector: the sum of the magnitudes of its components.
 -- Latency: 1 clock.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Phases of the slot, handshakes and FIFO pointers. A pair is accepted in the last phase of a slot if a place
 -- in the result FIFO is free; the data path itself never stops.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The types of the design, and the few functions that its entities share.
 --
@@ -9,123 +10,119 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 package efsat_types is
-  type interval_u17_t is record
-    lo : unsigned(16 downto 0);
-    hi : unsigned(16 downto 0);
-  end record interval_u17_t;
-  constant zero_interval_u17 : interval_u17_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_18_t is record
-    lo : signed(17 downto 0);
-    hi : signed(17 downto 0);
-  end record interval_18_t;
-  constant zero_interval_18 : interval_18_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_19_19_t is record
-    lo : signed(18 downto 0);
-    hi : signed(18 downto 0);
-  end record interval_19_19_t;
-  constant zero_interval_19_19 : interval_19_19_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_19_20_t is record
-    lo : signed(18 downto 0);
-    hi : signed(19 downto 0);
-  end record interval_19_20_t;
-  type interval_21_t is record
-    lo : signed(20 downto 0);
-    hi : signed(20 downto 0);
-  end record interval_21_t;
-  constant zero_interval_21 : interval_21_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_22_t is record
-    lo : signed(21 downto 0);
-    hi : signed(21 downto 0);
-  end record interval_22_t;
-  constant zero_interval_22 : interval_22_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_25_t is record
-    lo : signed(24 downto 0);
-    hi : signed(24 downto 0);
-  end record interval_25_t;
-  constant zero_interval_25 : interval_25_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_32_t is record
-    lo : signed(31 downto 0);
-    hi : signed(31 downto 0);
-  end record interval_32_t;
-  constant zero_interval_32 : interval_32_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_33_t is record
-    lo : signed(32 downto 0);
-    hi : signed(32 downto 0);
-  end record interval_33_t;
-  constant zero_interval_33 : interval_33_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_36_t is record
-    lo : signed(35 downto 0);
-    hi : signed(35 downto 0);
-  end record interval_36_t;
-  constant zero_interval_36 : interval_36_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_37_t is record
-    lo : signed(36 downto 0);
-    hi : signed(36 downto 0);
-  end record interval_37_t;
-  constant zero_interval_37 : interval_37_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_38_t is record
-    lo : signed(37 downto 0);
-    hi : signed(37 downto 0);
-  end record interval_38_t;
-  type interval_39_t is record
-    lo : signed(38 downto 0);
-    hi : signed(38 downto 0);
-  end record interval_39_t;
-  constant zero_interval_39 : interval_39_t := (lo => (others => '0'), hi => (others => '0'));
+  type unsigned_29_x1_t is array (0 to 0) of unsigned(28 downto 0);
+  constant zero_unsigned_29_x1 : unsigned_29_x1_t := (others => (others => '0'));
+  type unsigned_20_x2_t is array (0 to 1) of unsigned(19 downto 0);
+  type unsigned_21_x2_t is array (0 to 1) of unsigned(20 downto 0);
+  constant zero_unsigned_21_x2 : unsigned_21_x2_t := (others => (others => '0'));
+  type unsigned_24_x2_t is array (0 to 1) of unsigned(23 downto 0);
+  constant zero_unsigned_24_x2 : unsigned_24_x2_t := (others => (others => '0'));
+  type unsigned_27_x2_t is array (0 to 1) of unsigned(26 downto 0);
+  type unsigned_28_x2_t is array (0 to 1) of unsigned(27 downto 0);
+  type signed_18_x2_t is array (0 to 1) of signed(17 downto 0);
+  constant zero_signed_18_x2 : signed_18_x2_t := (others => (others => '0'));
+  type signed_19_x2_t is array (0 to 1) of signed(18 downto 0);
+  type signed_39_x2_t is array (0 to 1) of signed(38 downto 0);
+  constant zero_signed_39_x2 : signed_39_x2_t := (others => (others => '0'));
+  type signed_40_x2_t is array (0 to 1) of signed(39 downto 0);
+  constant zero_signed_40_x2 : signed_40_x2_t := (others => (others => '0'));
+  type signed_41_x2_t is array (0 to 1) of signed(40 downto 0);
+  type unsigned_3_x3_t is array (0 to 2) of unsigned(2 downto 0);
+  type unsigned_21_x3_t is array (0 to 2) of unsigned(20 downto 0);
+  constant zero_unsigned_21_x3 : unsigned_21_x3_t := (others => (others => '0'));
+  type unsigned_22_x3_t is array (0 to 2) of unsigned(21 downto 0);
+  constant zero_unsigned_22_x3 : unsigned_22_x3_t := (others => (others => '0'));
+  type unsigned_23_x3_t is array (0 to 2) of unsigned(22 downto 0);
+  constant zero_unsigned_23_x3 : unsigned_23_x3_t := (others => (others => '0'));
+  type unsigned_24_x3_t is array (0 to 2) of unsigned(23 downto 0);
+  type unsigned_25_x3_t is array (0 to 2) of unsigned(24 downto 0);
+  type unsigned_29_x3_t is array (0 to 2) of unsigned(28 downto 0);
+  constant zero_unsigned_29_x3 : unsigned_29_x3_t := (others => (others => '0'));
+  type signed_18_x3_t is array (0 to 2) of signed(17 downto 0);
+  constant zero_signed_18_x3 : signed_18_x3_t := (others => (others => '0'));
+  type signed_19_x3_t is array (0 to 2) of signed(18 downto 0);
+  type signed_30_x3_t is array (0 to 2) of signed(29 downto 0);
   type signed_32_x3_t is array (0 to 2) of signed(31 downto 0);
   constant zero_signed_32_x3 : signed_32_x3_t := (others => (others => '0'));
-  type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);
-  constant zero_unsigned_2_vector : unsigned_2_vector_t := (others => (others => '0'));
-  type unsigned_4_vector_t is array (0 to 2) of unsigned(3 downto 0);
+  type signed_33_x3_t is array (0 to 2) of signed(32 downto 0);
+  type signed_34_x3_t is array (0 to 2) of signed(33 downto 0);
+  type signed_38_x3_t is array (0 to 2) of signed(37 downto 0);
+  constant zero_signed_38_x3 : signed_38_x3_t := (others => (others => '0'));
+  type signed_39_x3_t is array (0 to 2) of signed(38 downto 0);
+  constant zero_signed_39_x3 : signed_39_x3_t := (others => (others => '0'));
+  type signed_40_x3_t is array (0 to 2) of signed(39 downto 0);
+  constant zero_signed_40_x3 : signed_40_x3_t := (others => (others => '0'));
+  type unsigned_20_x4_t is array (0 to 3) of unsigned(19 downto 0);
+  constant zero_unsigned_20_x4 : unsigned_20_x4_t := (others => (others => '0'));
+  type unsigned_21_x4_t is array (0 to 3) of unsigned(20 downto 0);
+  type unsigned_28_x4_t is array (0 to 3) of unsigned(27 downto 0);
+  constant zero_unsigned_28_x4 : unsigned_28_x4_t := (others => (others => '0'));
+  type signed_20_x4_t is array (0 to 3) of signed(19 downto 0);
+  type signed_38_x4_t is array (0 to 3) of signed(37 downto 0);
+  type unsigned_31_x5_t is array (0 to 4) of unsigned(30 downto 0);
+  type signed_19_x5_t is array (0 to 4) of signed(18 downto 0);
+  type signed_31_x5_t is array (0 to 4) of signed(30 downto 0);
+  type signed_33_x5_t is array (0 to 4) of signed(32 downto 0);
+  type signed_41_x5_t is array (0 to 4) of signed(40 downto 0);
+  type unsigned_21_x9_t is array (0 to 8) of unsigned(20 downto 0);
+  constant zero_unsigned_21_x9 : unsigned_21_x9_t := (others => (others => '0'));
+  type unsigned_29_x9_t is array (0 to 8) of unsigned(28 downto 0);
+  constant zero_unsigned_29_x9 : unsigned_29_x9_t := (others => (others => '0'));
+  type signed_34_x9_t is array (0 to 8) of signed(33 downto 0);
+  constant zero_signed_34_x9 : signed_34_x9_t := (others => (others => '0'));
+  type signed_20_x12_t is array (0 to 11) of signed(19 downto 0);
+  constant zero_signed_20_x12 : signed_20_x12_t := (others => (others => '0'));
+  type signed_31_x15_t is array (0 to 14) of signed(30 downto 0);
+  type signed_41_x15_t is array (0 to 14) of signed(40 downto 0);
+  type unsigned_18_vector_t is array (0 to 2) of unsigned(17 downto 0);
   type unsigned_19_vector_t is array (0 to 2) of unsigned(18 downto 0);
-  type unsigned_32_vector_t is array (0 to 2) of unsigned(31 downto 0);
-  constant zero_unsigned_32_vector : unsigned_32_vector_t := (others => (others => '0'));
-  type unsigned_33_vector_t is array (0 to 2) of unsigned(32 downto 0);
   type signed_18_vector_t is array (0 to 2) of signed(17 downto 0);
   constant zero_signed_18_vector : signed_18_vector_t := (others => (others => '0'));
   type signed_19_vector_t is array (0 to 2) of signed(18 downto 0);
   constant zero_signed_19_vector : signed_19_vector_t := (others => (others => '0'));
+  type signed_20_vector_t is array (0 to 2) of signed(19 downto 0);
+  type signed_21_vector_t is array (0 to 2) of signed(20 downto 0);
+  type signed_22_vector_t is array (0 to 2) of signed(21 downto 0);
+  type signed_26_vector_t is array (0 to 2) of signed(25 downto 0);
+  type signed_31_vector_t is array (0 to 2) of signed(30 downto 0);
   type signed_32_vector_t is array (0 to 2) of signed(31 downto 0);
   constant zero_signed_32_vector : signed_32_vector_t := (others => (others => '0'));
   type signed_33_vector_t is array (0 to 2) of signed(32 downto 0);
   constant zero_signed_33_vector : signed_33_vector_t := (others => (others => '0'));
   type signed_34_vector_t is array (0 to 2) of signed(33 downto 0);
-  type signed_64_vector_t is array (0 to 2) of signed(63 downto 0);
-  constant zero_signed_64_vector : signed_64_vector_t := (others => (others => '0'));
+  type signed_36_vector_t is array (0 to 2) of signed(35 downto 0);
+  type signed_37_vector_t is array (0 to 2) of signed(36 downto 0);
+  constant zero_signed_37_vector : signed_37_vector_t := (others => (others => '0'));
   type flag_x2_x2_t is array (0 to 1) of std_logic_vector(1 downto 0);
-  type unsigned_2_vector_x2_t is array (0 to 1) of unsigned_2_vector_t;
-  constant zero_unsigned_2_vector_x2 : unsigned_2_vector_x2_t := (others => zero_unsigned_2_vector);
-  type flag_x3_x3_t is array (0 to 2) of std_logic_vector(2 downto 0);
-  constant zero_flag_x3_x3 : flag_x3_x3_t := (others => (others => '0'));
+  type unsigned_29_x3_x2_t is array (0 to 1) of unsigned_29_x3_t;
+  constant zero_unsigned_29_x3_x2 : unsigned_29_x3_x2_t := (others => zero_unsigned_29_x3);
+  type signed_30_x3_x2_t is array (0 to 1) of signed_30_x3_t;
+  type signed_38_x3_x2_t is array (0 to 1) of signed_38_x3_t;
+  type signed_18_vector_x2_t is array (0 to 1) of signed_18_vector_t;
+  constant zero_signed_18_vector_x2 : signed_18_vector_x2_t := (others => zero_signed_18_vector);
+  type signed_19_vector_x2_t is array (0 to 1) of signed_19_vector_t;
+  type signed_20_vector_x2_t is array (0 to 1) of signed_20_vector_t;
+  type signed_33_vector_x2_t is array (0 to 1) of signed_33_vector_t;
+  constant zero_signed_33_vector_x2 : signed_33_vector_x2_t := (others => zero_signed_33_vector);
+  type flag_x2_x3_t is array (0 to 2) of std_logic_vector(1 downto 0);
+  type signed_19_vector_x3_t is array (0 to 2) of signed_19_vector_t;
+  constant zero_signed_19_vector_x3 : signed_19_vector_x3_t := (others => zero_signed_19_vector);
   type signed_32_vector_x3_t is array (0 to 2) of signed_32_vector_t;
   constant zero_signed_32_vector_x3 : signed_32_vector_x3_t := (others => zero_signed_32_vector);
-  type interval_22_x4_t is array (0 to 3) of interval_22_t;
-  constant zero_interval_22_x4 : interval_22_x4_t := (others => zero_interval_22);
-  type unsigned_2_vector_x4_t is array (0 to 3) of unsigned_2_vector_t;
-  constant zero_unsigned_2_vector_x4 : unsigned_2_vector_x4_t := (others => zero_unsigned_2_vector);
-  type interval_u17_vector_t is array (0 to 2) of interval_u17_t;
-  type interval_18_vector_t is array (0 to 2) of interval_18_t;
-  constant zero_interval_18_vector : interval_18_vector_t := (others => zero_interval_18);
-  type interval_19_19_vector_t is array (0 to 2) of interval_19_19_t;
-  constant zero_interval_19_19_vector : interval_19_19_vector_t := (others => zero_interval_19_19);
-  type interval_19_20_vector_t is array (0 to 2) of interval_19_20_t;
-  type interval_21_vector_t is array (0 to 2) of interval_21_t;
-  constant zero_interval_21_vector : interval_21_vector_t := (others => zero_interval_21);
-  type interval_25_vector_t is array (0 to 2) of interval_25_t;
-  constant zero_interval_25_vector : interval_25_vector_t := (others => zero_interval_25);
-  type interval_32_vector_t is array (0 to 2) of interval_32_t;
-  constant zero_interval_32_vector : interval_32_vector_t := (others => zero_interval_32);
-  type interval_33_vector_t is array (0 to 2) of interval_33_t;
-  constant zero_interval_33_vector : interval_33_vector_t := (others => zero_interval_33);
-  type interval_36_vector_t is array (0 to 2) of interval_36_t;
-  type interval_37_vector_t is array (0 to 2) of interval_37_t;
-  constant zero_interval_37_vector : interval_37_vector_t := (others => zero_interval_37);
-  type flag_x5_vector_t is array (0 to 2) of std_logic_vector(4 downto 0);
-  constant zero_flag_x5_vector : flag_x5_vector_t := (others => (others => '0'));
-  type interval_18_vector_x2_t is array (0 to 1) of interval_18_vector_t;
-  constant zero_interval_18_vector_x2 : interval_18_vector_x2_t := (others => zero_interval_18_vector);
-  type interval_18_vector_x4_t is array (0 to 3) of interval_18_vector_t;
-  constant zero_interval_18_vector_x4 : interval_18_vector_x4_t := (others => zero_interval_18_vector);
+  type flag_x1_x4_t is array (0 to 3) of std_logic_vector(0 downto 0);
+  type signed_18_x2_x4_t is array (0 to 3) of signed_18_x2_t;
+  constant zero_signed_18_x2_x4 : signed_18_x2_x4_t := (others => zero_signed_18_x2);
+  type signed_18_vector_x4_t is array (0 to 3) of signed_18_vector_t;
+  constant zero_signed_18_vector_x4 : signed_18_vector_x4_t := (others => zero_signed_18_vector);
+  type flag_x2_x5_t is array (0 to 4) of std_logic_vector(1 downto 0);
+  type signed_19_vector_x5_t is array (0 to 4) of signed_19_vector_t;
+  constant zero_signed_19_vector_x5 : signed_19_vector_x5_t := (others => zero_signed_19_vector);
+  type flag_x2_x15_t is array (0 to 14) of std_logic_vector(1 downto 0);
+  constant zero_flag_x2_x15 : flag_x2_x15_t := (others => (others => '0'));
+  type flag_x4_vector_t is array (0 to 2) of std_logic_vector(3 downto 0);
+  constant zero_flag_x4_vector : flag_x4_vector_t := (others => (others => '0'));
+  type signed_19_x5_vector_t is array (0 to 2) of signed_19_x5_t;
+  type signed_33_x5_vector_t is array (0 to 2) of signed_33_x5_t;
   type numbers_t is array (natural range <>) of integer;
 
   -- A condition as a flag.
@@ -143,10 +140,9 @@ package efsat_types is
   function choose(condition : std_logic; if_set, if_clear : std_logic) return std_logic;
   function choose(condition : std_logic; if_set, if_clear : signed) return signed;
   function choose(condition : std_logic; if_set, if_clear : unsigned) return unsigned;
-  function to_unsigned(set : std_logic; bits : positive) return unsigned;
 
-  -- -x where the flag is set, else x: complement and carry, one look-up table per bit.
-  function negated_if(condition : std_logic; x : signed) return signed;
+  -- A flag as a number, 0 or 1.
+  function to_signed(set : std_logic; bits : positive) return signed;
 
   -- Absolute value.
   function abs_of(x : signed) return unsigned;
@@ -225,20 +221,12 @@ package body efsat_types is
     end if;
   end function choose;
 
-  function to_unsigned(set : std_logic; bits : positive) return unsigned is
-    variable number : unsigned(bits - 1 downto 0) := (others => '0');
+  function to_signed(set : std_logic; bits : positive) return signed is
+    variable number : signed(bits - 1 downto 0) := (others => '0');
   begin
     number(0) := set;
     return number;
-  end function to_unsigned;
-
-  function negated_if(condition : std_logic; x : signed) return signed is
-    variable mask, carry : signed(x'length - 1 downto 0) := (others => '0');
-  begin
-    mask := (others => condition);
-    carry(0) := condition;
-    return (x xor mask) + carry;
-  end function negated_if;
+  end function to_signed;
 
   function abs_of(x : signed) return unsigned is
     variable mask, carry : signed(x'length - 1 downto 0) := (others => '0');

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- p = x * y with its register, in an entity of its own, so that synthesis merges the two (Xilinx AR 13182).
 -- Latency: 1 clock.
@@ -10,8 +11,8 @@ entity multiply_18_18 is
   port (
     clk : in  std_logic;
     x   : in  signed(17 downto 0);  -- |.| <= 131071
-    y   : in  signed(17 downto 0);  -- |.| <= 131071
-    p   : out signed(35 downto 0) := (others => '0')  -- |.| <= 17179607041
+    y   : in  signed(17 downto 0);  -- |.| <= 131072
+    p   : out signed(35 downto 0) := (others => '0')  -- |.| <= 17179738112
   );
 end entity multiply_18_18;
 

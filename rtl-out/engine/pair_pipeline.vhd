@@ -1,7 +1,9 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
--- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
--- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.
--- Latency: 58 clocks.
+-- The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with
+-- bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is
+-- named after what it is; later copies end in _h<clocks>.
+-- Latency: 40 clocks.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -11,8 +13,8 @@ use work.efsat_types.all;
 entity pair_pipeline is
   port (
     clk         : in  std_logic;
-    phase       : in  unsigned(3 downto 0);  -- phase of the slot: 0 in the first clock of the inputs
-    holds       : in  std_logic_vector(5 downto 0);  -- whether the slot k slots ago holds a pair
+    phase       : in  unsigned(1 downto 0);  -- phase of the slot: 0 in the first clock of the inputs
+    holds       : in  std_logic_vector(13 downto 0);  -- whether the slot k slots ago holds a pair
     in_v        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 2147483648
     in_w        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 2147483648
     pose_m      : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 2147483648
@@ -20,650 +22,1434 @@ entity pair_pipeline is
     pose_bypass : in  std_logic;
     verdict     : out unsigned(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
     outside     : out std_logic := '0';
-    separated   : out std_logic_vector(10 downto 0);
-    overlapping : out std_logic_vector(10 downto 0)
+    separated   : out std_logic_vector(8 downto 0);
+    overlapping : out std_logic_vector(8 downto 0)
   );
 end entity pair_pipeline;
 
 architecture rtl of pair_pipeline is
-  constant row_t_pose_select_at_0_table : numbers_t(0 to 15) := (1, 2, 0, 1, 2, 0, 1, 2, 0, 0, 0, others => 0);
-  constant row_diagonal_at_0_0_table : std_logic_vector(0 to 15) := "00100100111" & "00000";
-  constant row_diagonal_at_0_1_table : std_logic_vector(0 to 15) := "10010010000" & "00000";
-  constant row_diagonal_at_0_2_table : std_logic_vector(0 to 15) := "01001001000" & "00000";
-  constant row_x_select_at_0_table : numbers_t(0 to 15) := (0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0, others => 0);
-  constant lane_input_select_at_10_table : numbers_t(0 to 15) := (2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, others => 0);
-  constant lane2_operand_select_tap_at_1_table : numbers_t(0 to 15) := (11, 12, 13, 14, 4, 2, 0, 7, 8, 9, 10, others => 0);
-  constant lane1_operand_select_tap_at_1_table : numbers_t(0 to 15) := (12, 13, 14, 15, 5, 3, 1, 8, 9, 10, 11, others => 0);
-  constant lane_from_input_at_1_table : std_logic_vector(0 to 15) := "11110000111" & "00000";
-  constant axis0_has_b2_at_2_table : std_logic_vector(0 to 15) := "01000000000" & "00000";
-  constant lane_edge_rounding_at_5_table : std_logic_vector(0 to 15) := "00000101000" & "00000";
-  constant outside_found_word_and_first_select_at_2_table : std_logic_vector(0 to 15) := "01111111110" & "00000";
-  constant outside_found_word_and_second_select_at_1_table : std_logic_vector(0 to 15) := "11110000000" & "00000";
-  constant axis0_has_b2_at_0_table : std_logic_vector(0 to 15) := "00000000001" & "00000";
-  constant axis_e_select_tap_at_10_table : numbers_t(0 to 15) := (4, 4, 7, 7, 7, 4, 11, 11, 11, 1, 4, others => 0);
-  constant axis_f_select_tap_at_10_table : numbers_t(0 to 15) := (1, 2, 2, 3, 4, 6, 5, 6, 7, 3, 0, others => 0);
-  constant axis0_v0_select_at_7_table : std_logic_vector(0 to 15) := "01000100010" & "00000";
-  constant axis0_v1_1_select_tap_at_7_table : numbers_t(0 to 15) := (10, 10, 12, 12, 14, 14, 0, 5, 7, 7, 8, others => 0);
-  constant axis0_v2_1_select_tap_at_7_table : numbers_t(0 to 15) := (5, 6, 10, 7, 8, 9, 0, 0, 1, 2, 4, others => 0);
-  constant axis0_v3_select_at_7_table : std_logic_vector(0 to 15) := "00011100000" & "00000";
-  constant axis0_has_a1_at_1_table : std_logic_vector(0 to 15) := "01111111111" & "00000";
-  constant axis0_has_a2_at_1_table : std_logic_vector(0 to 15) := "00000001000" & "00000";
-  constant axis0_has_b1_at_1_table : std_logic_vector(0 to 15) := "11111110111" & "00000";
-  constant axis0_has_b2_at_1_table : std_logic_vector(0 to 15) := "10000000000" & "00000";
-  signal row_t_pose : signed(31 downto 0);  -- s4.28; |.| <= 2147483648
-  signal row_t_pose_select_at_0 : unsigned(1 downto 0) := (others => '0');
-  signal row_t : signed(31 downto 0);  -- s4.28; |.| <= 2147483648
-  signal row_t_d1 : signed(31 downto 0) := (others => '0');  -- s4.28; |.| <= 2147483648
-  signal row0_t_inside : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
-  signal row0_t_outside : std_logic;
-  signal row_m_pose : signed_32_vector_t;  -- s4.28; |.| <= 2147483648
-  signal row_diagonal_at_0 : std_logic_vector(2 downto 0) := (others => '0');
-  signal row_m : signed_32_vector_t;  -- s4.28; |.| <= 2147483648
-  signal row_m_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
-  signal row0_m_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
-  signal row0_m_outside : std_logic_vector(2 downto 0);
-  signal row_x : signed_32_vector_t;  -- s4.28; |.| <= 2147483648
-  signal row_x_select_at_0 : unsigned(1 downto 0) := (others => '0');
-  signal row_x_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
-  signal row0_x_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
-  signal row0_x_outside : std_logic_vector(2 downto 0);
-  signal row0_m_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 268435456
-  signal row0_x_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 268435456
-  signal row0_t_inside_d1 : signed(31 downto 0) := (others => '0');  -- s4.28; |.| <= 1073741816
-  signal pose_bypass_line : std_logic_vector(1 to 3) := (others => '0');
-  signal row : interval_32_t;  -- s4.28; |.| <= 1879048192
-  signal in_phase_10 : std_logic;
-  signal in_flight : std_logic;  -- a pair is in the data path, or may be in the next clock
-  signal strobe : std_logic_vector(10 downto 0) := (others => '0');  -- one flag per phase
-  signal in_v0_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
+  constant row_m_select_at_2_table : numbers_t(0 to 3) := (2, 0, 1, others => 0);
+  constant row_m_select_at_0_table : numbers_t(0 to 3) := (1, 2, 0, others => 0);
+  constant row_m_select_at_1_table : numbers_t(0 to 3) := (0, 1, 2, others => 0);
+  constant lane1_select_at_1_table : std_logic_vector(0 to 3) := "010" & "0";
+  constant axis_level_0_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
+  constant axis_level_1_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
+  constant axis_level_2_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
+  constant too_great_0_so_far_select_at_0_table : std_logic_vector(0 to 3) := "001" & "0";
+  constant lane1_select_at_2_table : std_logic_vector(0 to 3) := "001" & "0";
+  constant lane1_select_at_0_table : std_logic_vector(0 to 3) := "100" & "0";
+  constant boxes_wrong_table : numbers_t(0 to 7) := (1, 1, 2, 3, 5, 9, 17, others => 0);
+  signal in_v0_inside : signed_32_x3_t;  -- |.| <= 268435456
   signal in_v0_outside : std_logic_vector(2 downto 0);
-  signal in_v0_inside_h9 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 268435456
-  signal in_v1_h11 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
-  signal in_v2_h11 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
-  signal lane_input : signed_32_vector_t;  -- s4.28; |.| <= 2147483648
-  signal lane_input_select_at_10 : unsigned(1 downto 0) := (others => '0');
-  signal lane_input_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
-  signal lane0_input_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
-  signal lane0_input_outside : std_logic_vector(2 downto 0);
-  signal row_d1 : interval_32_t := zero_interval_32;  -- s4.28; |.| <= 1879048192
-  signal row_d2 : interval_32_t := zero_interval_32;  -- s4.28; |.| <= 1879048192
-  signal lane2_operand_select_tap_at_1 : unsigned(3 downto 0) := (others => '0');
-  signal lane1_operand_select_tap_at_1 : unsigned(3 downto 0) := (others => '0');
-  signal lane_operand : interval_32_vector_t;  -- s4.28; |.| <= 1879048192
-  signal lane_from_input_at_1 : std_logic := '0';
-  signal lane : interval_32_vector_t;  -- s4.28; |.| <= 1879048192
-  signal in_v0_inside_h11 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 268435456
-  signal in_v0_inside_h12 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 268435456
-  signal lane_d1 : interval_32_vector_t := zero_interval_32_vector;  -- s4.28; |.| <= 1879048192
-  signal offset : interval_33_vector_t;  -- s5.28; |.| <= 2147483648
-  signal offset_d1 : interval_33_vector_t := zero_interval_33_vector;  -- s5.28; |.| <= 2147483648
-  signal magnitude_magnitude : unsigned_33_vector_t;
-  signal magnitude : unsigned_32_vector_t;
-  signal axis0_has_b2_at_2 : std_logic := '0';
-  signal magnitude_so_far_before : unsigned_32_vector_t := zero_unsigned_32_vector;
-  signal magnitude_so_far : unsigned_32_vector_t;
-  signal magnitudes : unsigned_32_vector_t := zero_unsigned_32_vector;  -- OR of the magnitudes of the twelve bounds
-  signal shift : flag_x5_vector_t;
-  type offset_line_t is array (1 to 10) of interval_33_vector_t;
-  signal offset_line : offset_line_t := (others => zero_interval_33_vector);  -- s5.28; |.| <= 2147483648
-  signal shift_d1 : flag_x5_vector_t := zero_flag_x5_vector;
-  signal scaled : interval_18_vector_t;  -- |.| <= 65536
-  signal scaled_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
-  signal scaled_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
-  signal scaled_case : unsigned_2_vector_t;
-  signal v0_hi : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
-  signal v0_lo : signed_18_vector_t;  -- s2.16; |.| <= 0
-  signal v1 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v1_case : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v0_case : unsigned_2_vector_t;
-  signal w : interval_18_vector_x2_t := zero_interval_18_vector_x2;  -- s2.16; |.| <= 65536
-  signal w_case : unsigned_2_vector_x2_t := zero_unsigned_2_vector_x2;
-  signal lane_difference : interval_19_19_vector_t;  -- |.| <= 131072
-  signal lane_difference_d1 : interval_19_19_vector_t := zero_interval_19_19_vector;  -- |.| <= 131072
-  signal lane_edge_rounding_at_5 : std_logic := '0';
-  signal lane_edge : interval_18_vector_t;  -- |.| <= 65537
-  signal lane_edge_hi_second_up_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 65537
-  signal lane_edge_case : unsigned_2_vector_t;
-  signal outside_found_word_and_first_select_at_2 : std_logic := '0';
-  signal outside_found_word_and_second_select_at_1 : std_logic := '0';
-  signal outside_found_word_and_first_line : std_logic_vector(1 to 10) := (others => '0');
-  signal outside_found : std_logic;
-  signal axis0_has_b2_at_0 : std_logic := '0';
-  signal outside_so_far_before : std_logic := '0';
-  signal outside_so_far : std_logic;
-  signal outside_in_phases : std_logic := '0';
-  signal in_v0_outside_h11 : std_logic_vector(2 downto 0) := (others => '0');
-  signal in_v0_outside_h22 : std_logic_vector(2 downto 0) := (others => '0');
-  signal outside_flags : unsigned(3 downto 0);
+  signal in_v1_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_v1_outside : std_logic_vector(2 downto 0);
+  signal in_v2_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_v2_outside : std_logic_vector(2 downto 0);
+  signal in_w0_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_w0_outside : std_logic_vector(2 downto 0);
+  signal in_w1_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_w1_outside : std_logic_vector(2 downto 0);
+  signal in_w2_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_w2_outside : std_logic_vector(2 downto 0);
+  signal difference_v1 : signed_33_vector_t;  -- |.| <= 536870912
+  signal difference_v2 : signed_33_vector_t;  -- |.| <= 536870912
+  signal in_phase_2 : std_logic;
+  signal in_flight : std_logic;  -- a pair is in the data path, or may be in the next clock
+  signal strobe : std_logic_vector(2 downto 0) := (others => '0');  -- one flag per phase
+  signal pose_t_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_t_inside : signed_32_x3_t;  -- |.| <= 1073741816
+  signal pose_t_outside : std_logic_vector(2 downto 0);
+  signal moved : signed_33_vector_t;  -- |.| <= 1342177272; t - V0, or - V0 with the bypass
+  signal pose_m0_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m0_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal pose_m0_outside : std_logic_vector(2 downto 0);
+  signal pose_m1_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m1_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal pose_m1_outside : std_logic_vector(2 downto 0);
+  signal pose_m2_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m2_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal pose_m2_outside : std_logic_vector(2 downto 0);
+  signal in_w2_inside_h3 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal row_w : signed_32_vector_x3_t;  -- |.| <= 268435456
+  signal row_m_select_at_2 : unsigned(1 downto 0) := (others => '0');
+  signal moved_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal moved_h5 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal moved_h8 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal row_moved : signed_33_x3_t;  -- |.| <= 1342177272
+  signal in_w1_inside_h3 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal row_same : signed_32_x3_t;  -- |.| <= 268435456
+  signal row_m_select_at_0 : unsigned(1 downto 0) := (others => '0');
+  signal pose_m0_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal row_w_d1 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
+  signal row_turned : signed_32_x3_t;  -- |.| <= 805306372
+  signal pose_bypass_h3 : std_logic := '0';
+  signal pose_bypass_h6 : std_logic := '0';
+  signal pose_bypass_h7 : std_logic := '0';
+  type row_same_line_t is array (1 to 4) of signed_32_x3_t;
+  signal row_same_line : row_same_line_t := (others => zero_signed_32_x3);  -- |.| <= 268435456
+  signal row_choice_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 805306372
+  signal row : signed_34_x3_t;  -- |.| <= 2147483644
+  signal difference : signed_34_x9_t := zero_signed_34_x9;  -- |.| <= 2147483644
+  signal pose_m1_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal pose_m2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal difference_w0 : signed_33_vector_t;  -- |.| <= 2147483644
+  signal difference_w1 : signed_33_vector_t;  -- |.| <= 2147483644
+  signal difference_w2 : signed_33_vector_t;  -- |.| <= 2147483644
+  signal outside_flags : unsigned(29 downto 0);
   signal outside_i : std_logic;  -- a number of the pair or its pose is outside its declared range
-  signal axis_e_select_tap_at_10 : unsigned(3 downto 0) := (others => '0');
-  signal axis_e : interval_18_vector_t;  -- |.| <= 65537
-  signal axis_e_case : unsigned_2_vector_t;
-  signal axis_f_select_tap_at_10 : unsigned(3 downto 0) := (others => '0');
-  signal axis_f : interval_18_vector_t;  -- |.| <= 65537
-  signal axis_f_case : unsigned_2_vector_t;
-  signal axis_e_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
-  signal axis_e_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal axis_f_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
-  signal axis_f_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal axis_exact : interval_37_vector_t;  -- |.| <= 8590196738
-  signal axis_exact_d1 : interval_37_vector_t := zero_interval_37_vector;  -- |.| <= 8590196738
-  signal axis_l : interval_18_vector_t;  -- |.| <= 131071
-  signal axis_l_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 131071
-  signal axis_l_case : unsigned_2_vector_t;
-  signal v1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v0_hi_h11 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
-  signal v1_h16 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal axis0_v : interval_18_vector_x4_t;  -- s2.16; |.| <= 65536
-  signal axis0_v0_select_at_7 : std_logic := '0';
-  signal axis0_v3_select_at_7 : std_logic := '0';
-  signal v0_hi_h14 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
-  signal v1_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal axis0_v_case : unsigned_2_vector_x4_t;
-  signal axis0_v_d1 : interval_18_vector_x4_t := zero_interval_18_vector_x4;  -- s2.16; |.| <= 65536
-  signal axis0_v_case_d1 : unsigned_2_vector_x4_t := zero_unsigned_2_vector_x4;
-  signal axis_l_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 131071
-  signal axis_l_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal p : interval_22_x4_t;  -- |.| <= 1572852
-  type scaled_line_t is array (1 to 6) of interval_18_vector_t;
-  signal scaled_line : scaled_line_t := (others => zero_interval_18_vector);  -- |.| <= 65536
-  signal axis0_v1_1_select_tap_at_7 : unsigned(3 downto 0) := (others => '0');
-  signal axis0_v2_1_select_tap_at_7 : unsigned(3 downto 0) := (others => '0');
-  type scaled_case_line_t is array (1 to 6) of unsigned_2_vector_t;
-  signal scaled_case_line : scaled_case_line_t := (others => zero_unsigned_2_vector);
-  signal scaled_d9 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
-  signal scaled_case_d7 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w0_h10 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w0_case_h8 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w1_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal p_d1 : interval_22_x4_t := zero_interval_22_x4;  -- |.| <= 1572852
-  signal axis0_has_a1_at_1 : std_logic := '0';
-  signal axis0_has_a2_at_1 : std_logic := '0';
-  signal axis0_has_b1_at_1 : std_logic := '0';
-  signal axis0_has_b2_at_1 : std_logic := '0';
-  signal axis_separated : std_logic;
-  signal axis_overlapping : std_logic;
-  signal axis0_above : std_logic_vector(5 downto 0);
-  signal axis0_below : std_logic_vector(5 downto 0);
-  signal pierced_result_w_above : std_logic_vector(2 downto 0) := (others => '0');
-  signal pierced_result_w_below : std_logic_vector(2 downto 0) := (others => '0');
-  signal pierced_result_edges_above : flag_x3_x3_t := zero_flag_x3_x3;
-  signal pierced_result_edges_below : flag_x3_x3_t := zero_flag_x3_x3;
-  signal pierced_result_v_above : std_logic_vector(2 downto 0) := (others => '0');
-  signal pierced_result_v_below : std_logic_vector(2 downto 0) := (others => '0');
-  signal outside_h11 : std_logic := '0';
-  signal outside_h22 : std_logic := '0';
-  signal outside_h23 : std_logic := '0';
-  signal axis_outside_not : std_logic;
-  signal axis_counts_separated : std_logic;
-  signal axis_counts_overlapping : std_logic;
-  signal separated_i : std_logic_vector(10 downto 0) := (others => '0');
-  signal overlapping_i : std_logic_vector(10 downto 0) := (others => '0');
-  signal pierced_result : std_logic;
-  signal pierced_not_h11 : std_logic := '0';
-  signal pierced_not_h22 : std_logic := '0';
-  signal pierced_not_h33 : std_logic := '0';
-  signal pierced_not_h34 : std_logic := '0';
-  signal pierced : std_logic;
-  signal separate : std_logic;
-  signal all_overlap : std_logic;
-  signal all_overlap_h1 : std_logic := '0';
-  signal pierced_h1 : std_logic := '0';
-  signal surely : std_logic;
-  signal verdict_and_first_not_h1 : std_logic := '0';
-  signal verdict_and_second_not_first_h1 : std_logic := '0';
-  signal outside_h33 : std_logic := '0';
-  signal separated0_h11 : std_logic := '0';
+  signal difference_v1_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v1_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v1_h9 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v1_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_h9 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal shift : flag_x4_vector_t;
+  signal difference_w0_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
+  signal difference_w2_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
+  signal lane : signed_33_vector_x2_t;  -- |.| <= 2147483644
+  signal row_m_select_at_1 : unsigned(1 downto 0) := (others => '0');
+  signal shift_h1 : flag_x4_vector_t := zero_flag_x4_vector;
+  signal lane_d1 : signed_33_vector_x2_t := zero_signed_33_vector_x2;  -- |.| <= 2147483644
+  signal lane_shifted : signed_19_vector_x2_t;  -- |.| <= 262144
+  signal coordinate_cut : signed_19_vector_x5_t := zero_signed_19_vector_x5;  -- |.| <= 262144
+  signal difference_w1_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
+  signal lane1_select_at_1 : std_logic := '0';
+  signal carried : std_logic_vector(2 downto 0);
+  signal coordinate_cut0_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut1_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut0_h5 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut1_h5 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal carried_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal carried_h3 : std_logic_vector(2 downto 0) := (others => '0');
+  signal coordinate_v1 : signed_18_vector_t;  -- |.| <= 131071
+  signal coordinate_v2 : signed_18_vector_t;  -- |.| <= 131071
+  signal coordinate_cut2_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut3_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_w0 : signed_18_vector_t;  -- |.| <= 131071
+  signal coordinate_w1 : signed_18_vector_t;  -- |.| <= 131071
+  signal coordinate_cut4_h1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_w2 : signed_18_vector_t;  -- |.| <= 131071
+  signal shift_h4 : flag_x4_vector_t := zero_flag_x4_vector;
+  signal taken_x : unsigned(4 downto 0);
+  signal taken_x_h1 : unsigned(4 downto 0) := (others => '0');
+  signal axis_level : unsigned_3_x3_t;
+  signal taken_y : unsigned(4 downto 0);
+  signal taken_y_h1 : unsigned(4 downto 0) := (others => '0');
+  signal taken_z : unsigned(4 downto 0);
+  signal taken_z_h1 : unsigned(4 downto 0) := (others => '0');
+  signal axis_level0_resized_less_choice : unsigned(2 downto 0);
+  signal level_less_resized_first_h1 : signed(3 downto 0) := (others => '0');  -- |.| <= 6
+  signal level_less_resized_second_h1 : signed(3 downto 0) := (others => '0');  -- |.| <= 6
+  signal level_less_h3 : std_logic := '0';
+  signal axis_level0_resized_less_choice_h3 : unsigned(2 downto 0) := (others => '0');
+  signal axis_level0_resized_less_choice_h4 : unsigned(2 downto 0) := (others => '0');
+  signal axis_level2_h3 : unsigned(2 downto 0) := (others => '0');
+  signal axis_level2_h4 : unsigned(2 downto 0) := (others => '0');
+  signal level : unsigned(2 downto 0);
+  signal moment_plus : signed_18_x2_x4_t;  -- |.| <= 131071
+  signal moment_minus : signed_18_x2_x4_t;  -- |.| <= 131071
+  signal moment_plus_d1 : signed_18_x2_x4_t := zero_signed_18_x2_x4;  -- |.| <= 131071
+  signal moment_minus_d1 : signed_18_x2_x4_t := zero_signed_18_x2_x4;  -- |.| <= 131071
+  signal moment_lane_cut : signed_20_x4_t;  -- |.| <= 524281
+  signal moment_too_great : flag_x1_x4_t;
+  signal moment_cut : signed_20_x12_t := zero_signed_20_x12;  -- |.| <= 524281
+  signal too_great_0_found : std_logic;
+  signal too_great_0_so_far_select_at_0 : std_logic := '0';
+  signal too_great_0_so_far_before : std_logic := '0';
+  signal too_great_0_so_far : std_logic;
+  signal places_captured : std_logic := '0';
+  signal places : std_logic;
+  signal moment_exact : signed_20_vector_x2_t;  -- |.| <= 524281
+  signal moment_lane : signed_18_vector_x2_t;  -- |.| <= 131072
+  signal moment_m0 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal moment_m2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal moment_m1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal moment_n : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal coordinate_w0_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w1_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w1_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w1_h9 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v2_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v2_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_x : signed_18_vector_x4_t;  -- |.| <= 131071
+  signal dot_m : signed_18_vector_x4_t;  -- |.| <= 131072
+  signal dot_x_d1 : signed_18_vector_x4_t := zero_signed_18_vector_x4;  -- |.| <= 131071
+  signal dot_x0_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_x3_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_m0_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal dot_m1_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal dot_m2_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal dot_m3_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal dot_lane : signed_38_x4_t;  -- |.| <= 51539214336
+  signal determinant_plane_a0 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal determinant_plane_a1 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal determinant_side22 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal coordinate_v1_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v1_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_h9 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w2_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w2_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w2_h9 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_d1 : signed_38_x3_t := zero_signed_38_x3;  -- |.| <= 51539214336
+  signal determinant_plane_b0 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal determinant_plane_a2 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal lane1_select_at_2 : std_logic := '0';
+  signal determinant_side20 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal lane1_select_at_0 : std_logic := '0';
+  signal determinant_side21 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal dot_d1_0_h3 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal dot_d1_1_h3 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared : signed_41_x15_t;  -- |.| <= 206156857344
+  signal determinant_side00 : signed(38 downto 0);  -- |.| <= 51539214336
+  signal determinant_side01 : signed(38 downto 0);  -- |.| <= 51539214336
+  signal determinant_side02 : signed(38 downto 0);  -- |.| <= 51539214336
+  signal determinant_side10 : signed(39 downto 0);  -- |.| <= 206156857344
+  signal determinant_side11 : signed(39 downto 0);  -- |.| <= 206156857344
+  signal determinant_side12 : signed(39 downto 0);  -- |.| <= 206156857344
+  signal coordinate_v2_h1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v1_h1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal e_a1 : signed_19_vector_t;  -- |.| <= 262142
+  signal coordinate_w1_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal e_b : signed_19_vector_x3_t;  -- |.| <= 262142
+  signal coordinate_w2_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal norm_x0_resized_third_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal norm_x1_resized_third_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal norm_x : signed_19_vector_x3_t;  -- |.| <= 262142
+  signal norm_x_d1 : signed_19_vector_x3_t := zero_signed_19_vector_x3;  -- |.| <= 262142
+  signal norm_lane : unsigned_21_x3_t;
+  signal length_measure : unsigned_21_x9_t := zero_unsigned_21_x9;
+  signal norm_x2_resized_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal rest_of_level : unsigned(14 downto 0);
+  signal rest_of_level_aligned : unsigned(15 downto 0);
+  signal rest_aligned_second_h3 : unsigned(16 downto 0) := (others => '0');
+  signal rest_of_level_aligned_h3 : unsigned(15 downto 0) := (others => '0');
+  signal rest : unsigned(16 downto 0);  -- c(3); four times that is c(5)
+  signal length_measure0_h3 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure1_h3 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure8_h3 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure2_h2 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure3_h2 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure4_h2 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure5_h1 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure6_h1 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure7_h1 : unsigned(20 downto 0) := (others => '0');
+  signal rest_h3 : unsigned(16 downto 0) := (others => '0');
+  signal length_measure0_plane_a0 : unsigned(23 downto 0);
+  signal bound_plane_a1_sum_first_result : unsigned(23 downto 0);
+  signal bound_plane_a2_sum_first_result : unsigned(23 downto 0);
+  signal bound_plane_b1_result : unsigned(26 downto 0);
+  signal bound_plane_b2_result : unsigned(26 downto 0);
+  signal length_measure0_ends0 : unsigned(23 downto 0);
+  signal length_measure0_ends1 : unsigned(23 downto 0);
+  signal bound_side10_result : unsigned(24 downto 0);
+  signal bound_side11_result : unsigned(24 downto 0);
+  signal bound_side12_result : unsigned(24 downto 0);
+  signal length_x : unsigned_21_x3_t;
+  signal places_d1 : std_logic := '0';
+  signal length_times_g : unsigned_22_x3_t;
+  signal level_h3 : unsigned(2 downto 0) := (others => '0');
+  signal level_h4 : unsigned(2 downto 0) := (others => '0');
+  signal length_times_g_d1 : unsigned_22_x3_t := zero_unsigned_22_x3;
+  signal level_h4_d1 : unsigned(2 downto 0) := (others => '0');
+  signal length_first : unsigned_29_x3_t;
+  signal length_bound : unsigned_29_x9_t := zero_unsigned_29_x9;
+  signal moment_norm_x : signed_18_vector_x2_t;  -- |.| <= 131072
+  signal moment_norm_x_d1 : signed_18_vector_x2_t := zero_signed_18_vector_x2;  -- |.| <= 131072
+  signal moment_norm_lane : unsigned_20_x2_t;
+  signal norm_of_moment : unsigned_20_x4_t := zero_unsigned_20_x4;
+  signal moment_measure : unsigned_21_x4_t;
+  signal moment_x : unsigned_21_x2_t;
+  signal moment_x_d1 : unsigned_21_x2_t := zero_unsigned_21_x2;
+  type level_h4_line_t is array (1 to 3) of unsigned(2 downto 0);
+  signal level_h4_line : level_h4_line_t := (others => (others => '0'));
+  signal moment_first : unsigned_28_x2_t;
+  signal moment_bound : unsigned_28_x4_t := zero_unsigned_28_x4;
+  signal face_of_vertex_negative_difference : signed_30_x3_x2_t;  -- |.| <= 53476968
+  signal face_of_vertex : unsigned_29_x3_x2_t;
+  signal bound_all_m : unsigned(29 downto 0);
+  signal length_measure0_plane_a0_h3 : unsigned(23 downto 0) := (others => '0');
+  signal face_of_vertex_h1 : unsigned_29_x3_x2_t := zero_unsigned_29_x3_x2;
+  signal bound_plane_a0_sum_second_h3 : unsigned(29 downto 0) := (others => '0');
+  signal bound_plane_a0 : unsigned(30 downto 0);
+  signal bound_plane_a1_sum_first_result_h3 : unsigned(23 downto 0) := (others => '0');
+  signal bound_plane_a1_sum_second_h3 : unsigned(29 downto 0) := (others => '0');
+  signal bound_plane_a1 : unsigned(30 downto 0);
+  signal bound_plane_a2_sum_first_result_h3 : unsigned(23 downto 0) := (others => '0');
+  signal bound_plane_a2_sum_second_h3 : unsigned(29 downto 0) := (others => '0');
+  signal bound_plane_a2 : unsigned(30 downto 0);
+  signal bound_corner_aligned_h1 : unsigned(30 downto 0) := (others => '0');
+  signal bound_corner_sum_h2 : unsigned(30 downto 0) := (others => '0');
+  signal bound_corner_sum_h3 : unsigned(30 downto 0) := (others => '0');
+  signal bound_corner : unsigned(31 downto 0);
+  signal bound_all_m_h1 : unsigned(29 downto 0) := (others => '0');
+  signal length_measure0_plane_a0_h4 : unsigned(23 downto 0) := (others => '0');
+  signal bound_plane_b0 : unsigned(30 downto 0);
+  signal bound_plane_b1_result_h3 : unsigned(26 downto 0) := (others => '0');
+  signal bound_plane_b1_result_h4 : unsigned(26 downto 0) := (others => '0');
+  signal bound_plane_b1 : unsigned(32 downto 0);
+  signal bound_plane_b2_result_h3 : unsigned(26 downto 0) := (others => '0');
+  signal bound_plane_b2_result_h4 : unsigned(26 downto 0) := (others => '0');
+  signal bound_plane_b2 : unsigned(32 downto 0);
+  signal bound_of_a_aligned_second_h3 : unsigned(29 downto 0) := (others => '0');
+  signal bound_of_a : unsigned(30 downto 0);
+  signal length_measure0_ends0_h3 : unsigned(23 downto 0) := (others => '0');
+  signal face_of_vertex0_h2 : unsigned_29_x1_t := zero_unsigned_29_x1;
+  signal face_of_vertex1_h2 : unsigned_29_x3_t := zero_unsigned_29_x3;
+  signal bound_side00 : unsigned(30 downto 0);
+  signal bound_side01 : unsigned(30 downto 0);
+  signal bound_side02_sum_second_h3 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side02 : unsigned(30 downto 0);
+  signal bound_side10_sum_sum_aligned_second_h3 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side10_sum_h1 : unsigned(31 downto 0) := (others => '0');
+  signal bound_side10_result_h3 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side10_result_h5 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side10 : unsigned(32 downto 0);
+  signal bound_side11_sum_sum_h2 : unsigned(30 downto 0) := (others => '0');
+  signal bound_side11_sum_h1 : unsigned(31 downto 0) := (others => '0');
+  signal bound_side11_result_h3 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side11_result_h5 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side11 : unsigned(32 downto 0);
+  signal bound_side12_sum_sum_aligned_second_h3 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side12_sum_h1 : unsigned(31 downto 0) := (others => '0');
+  signal bound_side12_result_h3 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side12_result_h5 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side12 : unsigned(32 downto 0);
+  signal length_measure0_ends1_h3 : unsigned(23 downto 0) := (others => '0');
+  signal face_of_vertex1_h3 : unsigned_29_x1_t := zero_unsigned_29_x1;
+  signal bound_side20 : unsigned(30 downto 0);
+  signal bound_side21 : unsigned(30 downto 0);
+  signal bound_side22_sum_second_h3 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side22 : unsigned(30 downto 0);
+  signal compared_bound : signed_31_x15_t;  -- |.| <= 67665506
+  signal compared0_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared12_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared3_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared13_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared14_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared10_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal compared11_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal compared9_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal sign_x : signed_41_x5_t;  -- |.| <= 206156857344
+  signal compared_bound0_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound5_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
+  signal compared_bound12_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound8_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound13_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound4_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
+  signal compared_bound14_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal sign_bound : signed_31_x5_t;  -- |.| <= 67665506
+  signal sign_x0_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal sign_x1_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal sign_x2_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal sign_x3_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal sign_x4_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal sign_bound0_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
+  signal sign_bound1_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
+  signal sign_bound2_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal sign_bound3_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal sign_bound4_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
+  signal sign_lane : flag_x2_x5_t;
+  signal sign : flag_x2_x15_t := zero_flag_x2_x15;
+  signal compared_bound1_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound6_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound2_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound7_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal boxes_v : signed_18_x2_t;  -- |.| <= 131071
+  signal boxes_w : signed_18_x3_t;  -- |.| <= 131071
+  signal boxes_v_d1 : signed_18_x2_t := zero_signed_18_x2;  -- |.| <= 131071
+  signal boxes_w_d1 : signed_18_x3_t := zero_signed_18_x3;  -- |.| <= 131071
+  signal boxes_wrong_d1 : unsigned(4 downto 0) := (others => '0');
+  signal boxes_lane : std_logic;
+  signal boxes_apart_along : std_logic_vector(2 downto 0) := (others => '0');
+  signal boxes_apart : std_logic;
+  signal separated3_result : std_logic;
+  signal separated4_result : std_logic;
+  signal separated5_result : std_logic;
+  signal separated6_result : std_logic;
+  signal separated7_result : std_logic;
+  signal separated8_result : std_logic;
+  signal overlapping3_result : std_logic;
+  signal overlapping4_result : std_logic;
+  signal overlapping5_result : std_logic;
+  signal overlapping6_result : std_logic;
+  signal overlapping7_result : std_logic;
+  signal overlapping8_result : std_logic;
+  signal sign3_h3 : std_logic_vector(1 downto 0) := (others => '0');
+  signal sign2_h3 : std_logic_vector(1 downto 0) := (others => '0');
+  signal sign0_h3 : std_logic_vector(1 downto 0) := (others => '0');
+  signal overlapping0_constant : std_logic;
+  signal overlapping1_constant : std_logic;
+  signal overlapping2_constant : std_logic;
+  signal separated_not_h2 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h5 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h8 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h11 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h14 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h17 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h20 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h23 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h26 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_i : std_logic_vector(8 downto 0);
+  signal separated1_not_h29 : std_logic := '0';
+  signal separated2_not_h29 : std_logic := '0';
+  signal separated3_not_h29 : std_logic := '0';
+  signal separated4_not_h29 : std_logic := '0';
+  signal separated5_not_h29 : std_logic := '0';
+  signal separated6_not_h29 : std_logic := '0';
+  signal separated7_not_h29 : std_logic := '0';
+  signal separated8_not_h29 : std_logic := '0';
+  signal separated1_not_h32 : std_logic := '0';
+  signal separated2_not_h32 : std_logic := '0';
+  signal separated3_not_h32 : std_logic := '0';
+  signal separated4_not_h32 : std_logic := '0';
+  signal separated5_not_h32 : std_logic := '0';
+  signal separated6_not_h32 : std_logic := '0';
+  signal separated7_not_h32 : std_logic := '0';
+  signal separated8_not_h32 : std_logic := '0';
+  signal separated1_not_h34 : std_logic := '0';
+  signal separated2_not_h35 : std_logic := '0';
+  signal separated3_not_h35 : std_logic := '0';
+  signal separated4_not_h35 : std_logic := '0';
+  signal separated5_not_h35 : std_logic := '0';
+  signal separated6_not_h35 : std_logic := '0';
+  signal separated7_not_h35 : std_logic := '0';
+  signal separated8_not_h35 : std_logic := '0';
+  signal separated4_not_h36 : std_logic := '0';
+  signal separated6_not_h36 : std_logic := '0';
+  signal separated7_not_h36 : std_logic := '0';
+  signal separated5_not_h37 : std_logic := '0';
+  signal separated8_not_h37 : std_logic := '0';
+  signal overlapping_i : std_logic_vector(8 downto 0);
+  signal overlapping3_not_h2 : std_logic := '0';
+  signal overlapping4_not_h2 : std_logic := '0';
+  signal overlapping5_not_h2 : std_logic := '0';
+  signal overlapping6_not_h2 : std_logic := '0';
+  signal overlapping7_not_h2 : std_logic := '0';
+  signal overlapping8_not_h2 : std_logic := '0';
+  signal overlapping3_not_h5 : std_logic := '0';
+  signal overlapping4_not_h5 : std_logic := '0';
+  signal overlapping5_not_h5 : std_logic := '0';
+  signal overlapping6_not_h5 : std_logic := '0';
+  signal overlapping7_not_h5 : std_logic := '0';
+  signal overlapping8_not_h5 : std_logic := '0';
+  signal overlapping3_not_h8 : std_logic := '0';
+  signal overlapping4_not_h8 : std_logic := '0';
+  signal overlapping5_not_h8 : std_logic := '0';
+  signal overlapping6_not_h8 : std_logic := '0';
+  signal overlapping7_not_h8 : std_logic := '0';
+  signal overlapping8_not_h8 : std_logic := '0';
+  signal overlapping3_not_h11 : std_logic := '0';
+  signal overlapping4_not_h11 : std_logic := '0';
+  signal overlapping5_not_h11 : std_logic := '0';
+  signal overlapping6_not_h11 : std_logic := '0';
+  signal overlapping7_not_h11 : std_logic := '0';
+  signal overlapping8_not_h11 : std_logic := '0';
+  signal overlapping3_not_h14 : std_logic := '0';
+  signal overlapping4_not_h14 : std_logic := '0';
+  signal overlapping5_not_h14 : std_logic := '0';
+  signal overlapping6_not_h14 : std_logic := '0';
+  signal overlapping7_not_h14 : std_logic := '0';
+  signal overlapping8_not_h14 : std_logic := '0';
+  signal overlapping3_not_h17 : std_logic := '0';
+  signal overlapping4_not_h17 : std_logic := '0';
+  signal overlapping5_not_h17 : std_logic := '0';
+  signal overlapping6_not_h17 : std_logic := '0';
+  signal overlapping7_not_h17 : std_logic := '0';
+  signal overlapping8_not_h17 : std_logic := '0';
+  signal overlapping3_not_h20 : std_logic := '0';
+  signal overlapping4_not_h20 : std_logic := '0';
+  signal overlapping5_not_h20 : std_logic := '0';
+  signal overlapping6_not_h20 : std_logic := '0';
+  signal overlapping7_not_h20 : std_logic := '0';
+  signal overlapping8_not_h20 : std_logic := '0';
+  signal overlapping3_not_h23 : std_logic := '0';
+  signal overlapping4_not_h23 : std_logic := '0';
+  signal overlapping5_not_h23 : std_logic := '0';
+  signal overlapping6_not_h23 : std_logic := '0';
+  signal overlapping7_not_h23 : std_logic := '0';
+  signal overlapping8_not_h23 : std_logic := '0';
+  signal overlapping3_not_h26 : std_logic := '0';
+  signal overlapping4_not_h26 : std_logic := '0';
+  signal overlapping5_not_h26 : std_logic := '0';
+  signal overlapping6_not_h26 : std_logic := '0';
+  signal overlapping7_not_h26 : std_logic := '0';
+  signal overlapping8_not_h26 : std_logic := '0';
+  signal overlapping3_not_h29 : std_logic := '0';
+  signal overlapping4_not_h29 : std_logic := '0';
+  signal overlapping5_not_h29 : std_logic := '0';
+  signal overlapping6_not_h29 : std_logic := '0';
+  signal overlapping7_not_h29 : std_logic := '0';
+  signal overlapping8_not_h29 : std_logic := '0';
+  signal overlapping3_not_h32 : std_logic := '0';
+  signal overlapping4_not_h32 : std_logic := '0';
+  signal overlapping5_not_h32 : std_logic := '0';
+  signal overlapping6_not_h32 : std_logic := '0';
+  signal overlapping7_not_h32 : std_logic := '0';
+  signal overlapping8_not_h32 : std_logic := '0';
+  signal overlapping3_not_h35 : std_logic := '0';
+  signal overlapping4_not_h35 : std_logic := '0';
+  signal overlapping5_not_h35 : std_logic := '0';
+  signal overlapping6_not_h35 : std_logic := '0';
+  signal overlapping7_not_h35 : std_logic := '0';
+  signal overlapping8_not_h35 : std_logic := '0';
+  signal overlapping4_not_h36 : std_logic := '0';
+  signal overlapping6_not_h36 : std_logic := '0';
+  signal overlapping7_not_h36 : std_logic := '0';
+  signal overlapping5_not_h37 : std_logic := '0';
+  signal overlapping8_not_h37 : std_logic := '0';
+  signal separated0_h1 : std_logic := '0';
+  signal separated5_h1 : std_logic := '0';
+  signal separated6_h1 : std_logic := '0';
+  signal separated7_h1 : std_logic := '0';
+  signal separated8_h1 : std_logic := '0';
+  signal separated0_h4 : std_logic := '0';
+  signal separated1_h4 : std_logic := '0';
+  signal separated0_h7 : std_logic := '0';
+  signal separated0_h10 : std_logic := '0';
+  signal separated0_h12 : std_logic := '0';
+  signal separated1_h3 : std_logic := '0';
+  signal separated2_h3 : std_logic := '0';
+  signal separated3_h3 : std_logic := '0';
+  signal separated2_h2 : std_logic := '0';
+  signal separated3_h2 : std_logic := '0';
+  signal separated4_h2 : std_logic := '0';
+  signal separated6_h2 : std_logic := '0';
+  signal separated7_h2 : std_logic := '0';
+  signal overlapping0_h2 : std_logic := '0';
+  signal overlapping1_h2 : std_logic := '0';
+  signal overlapping2_h2 : std_logic := '0';
+  signal overlapping3_h2 : std_logic := '0';
+  signal overlapping4_h2 : std_logic := '0';
+  signal overlapping6_h2 : std_logic := '0';
+  signal overlapping7_h2 : std_logic := '0';
+  signal overlapping0_h5 : std_logic := '0';
+  signal overlapping1_h5 : std_logic := '0';
+  signal overlapping2_h5 : std_logic := '0';
+  signal overlapping0_h8 : std_logic := '0';
+  signal overlapping1_h8 : std_logic := '0';
+  signal overlapping2_h8 : std_logic := '0';
   signal overlapping0_h11 : std_logic := '0';
-  signal holds0_or_in_phase_10 : std_logic;
-  signal in_phase_8 : std_logic;
-  signal busy_10 : std_logic := '0';  -- set in clocks 9 to 19 of a pair
-  signal busy_12 : std_logic := '0';  -- set in clocks 11 to 21 of a pair
+  signal overlapping1_h11 : std_logic := '0';
+  signal overlapping2_h11 : std_logic := '0';
+  signal overlapping0_h14 : std_logic := '0';
+  signal overlapping1_h14 : std_logic := '0';
+  signal overlapping2_h14 : std_logic := '0';
+  signal overlapping0_h17 : std_logic := '0';
+  signal overlapping1_h17 : std_logic := '0';
+  signal overlapping2_h17 : std_logic := '0';
+  signal overlapping0_h20 : std_logic := '0';
+  signal overlapping1_h20 : std_logic := '0';
+  signal overlapping2_h20 : std_logic := '0';
+  signal overlapping0_h23 : std_logic := '0';
+  signal overlapping1_h23 : std_logic := '0';
+  signal overlapping2_h23 : std_logic := '0';
+  signal overlapping0_h26 : std_logic := '0';
+  signal overlapping1_h26 : std_logic := '0';
+  signal overlapping2_h26 : std_logic := '0';
+  signal overlapping0_h29 : std_logic := '0';
+  signal overlapping1_h29 : std_logic := '0';
+  signal overlapping2_h29 : std_logic := '0';
+  signal overlapping0_h32 : std_logic := '0';
+  signal overlapping1_h32 : std_logic := '0';
+  signal overlapping2_h32 : std_logic := '0';
+  signal overlapping0_h35 : std_logic := '0';
+  signal overlapping1_h35 : std_logic := '0';
+  signal overlapping2_h35 : std_logic := '0';
+  signal overlapping0_h38 : std_logic := '0';
+  signal overlapping1_h38 : std_logic := '0';
+  signal overlapping2_h38 : std_logic := '0';
+  signal overlapping3_h3 : std_logic := '0';
+  signal overlapping5_h1 : std_logic := '0';
+  signal overlapping6_h1 : std_logic := '0';
+  signal overlapping7_h1 : std_logic := '0';
+  signal overlapping8_h1 : std_logic := '0';
+  signal outside_h2 : std_logic := '0';
+  signal outside_h5 : std_logic := '0';
+  signal outside_h8 : std_logic := '0';
+  signal outside_h11 : std_logic := '0';
+  signal outside_h14 : std_logic := '0';
+  signal outside_h17 : std_logic := '0';
+  signal outside_h20 : std_logic := '0';
+  signal outside_h23 : std_logic := '0';
+  signal outside_h26 : std_logic := '0';
+  signal outside_h29 : std_logic := '0';
+  signal outside_h32 : std_logic := '0';
+  signal outside_h35 : std_logic := '0';
   signal in_phase_0 : std_logic;
-  signal busy_13 : std_logic := '0';  -- set in clocks 12 to 22 of a pair
-  signal in_phase_3 : std_logic;
-  signal busy_27 : std_logic := '0';  -- set in clocks 26 to 36 of a pair
-  signal busy_2 : std_logic := '0';  -- set in clocks 1 to 11 of a pair
-  signal in_phase_9 : std_logic;
-  signal busy_11 : std_logic := '0';  -- set in clocks 10 to 20 of a pair
-  signal busy_32 : std_logic := '0';  -- set in clocks 31 to 41 of a pair
-  signal in_phase_5 : std_logic;
-  signal busy_40 : std_logic := '0';  -- set in clocks 39 to 49 of a pair
-  signal busy_45 : std_logic := '0';  -- set in clocks 44 to 54 of a pair
-  signal row_unit_m : signed_32_vector_t;
-  signal row_unit_x : signed_32_vector_t;
-  signal lane_lo_operand_line_x : signed_32_vector_t;
-  signal lane_lo_operand_line_tap : unsigned_4_vector_t;
-  signal lane_hi_operand_line_x : signed_32_vector_t;
-  signal lane_hi_operand_line_tap : unsigned_4_vector_t;
-  signal offset_unit_origin : signed_32_vector_t;
-  signal axis_separated_unit_has : flag_x2_x2_t;
+  signal busy_2 : std_logic := '0';  -- set in clocks 1 to 3 of a pair
+  signal busy_8 : std_logic := '0';  -- set in clocks 7 to 9 of a pair
+  signal busy_26 : std_logic := '0';  -- set in clocks 25 to 27 of a pair
+  signal busy_35 : std_logic := '0';  -- set in clocks 34 to 36 of a pair
+  signal busy_2_or_busy_8 : std_logic;
+  signal busy_2_or_busy_8_or_busy_26 : std_logic;
+  signal busy_2_or_busy_8_or_busy_26_or_busy_35 : std_logic;
+  signal in_phase_1 : std_logic;
+  signal busy_3 : std_logic := '0';  -- set in clocks 2 to 4 of a pair
+  signal busy_18 : std_logic := '0';  -- set in clocks 17 to 19 of a pair
+  signal busy_27 : std_logic := '0';  -- set in clocks 26 to 28 of a pair
+  signal busy_3_or_busy_18 : std_logic;
+  signal busy_3_or_busy_18_or_busy_27 : std_logic;
+  signal busy_13 : std_logic := '0';  -- set in clocks 12 to 14 of a pair
+  signal busy_22 : std_logic := '0';  -- set in clocks 21 to 23 of a pair
+  signal busy_34 : std_logic := '0';  -- set in clocks 33 to 35 of a pair
+  signal busy_13_or_busy_22 : std_logic;
+  signal busy_13_or_busy_22_or_busy_34 : std_logic;
+  signal busy_25 : std_logic := '0';  -- set in clocks 24 to 26 of a pair
+  signal busy_13_or_busy_25 : std_logic;
+  signal busy_21 : std_logic := '0';  -- set in clocks 20 to 22 of a pair
+  signal busy_29 : std_logic := '0';  -- set in clocks 28 to 30 of a pair
+  signal busy_26_or_busy_29 : std_logic;
+  signal row_turned_unit_m : signed_32_vector_x3_t;
+  signal shift_unit_x : signed_33_x5_vector_t;
+  signal carried_unit_cut : signed_19_x5_vector_t;
+  signal dot_lane_unit_x : signed_18_vector_x4_t;
+  signal dot_lane_unit_m : signed_18_vector_x4_t;
+  signal compared_unit_a : signed_38_x3_t;
+  signal compared_unit_d : signed_38_x3_x2_t;
+  signal compared_unit_plane_b : signed_41_x2_t;
+  signal compared_unit_side0 : signed_39_x3_t;
+  signal compared_unit_side1 : signed_40_x3_t;
+  signal length_measure0_plane_a0_unit_v : unsigned_21_x2_t;
+  signal length_measure0_plane_a0_unit_w : unsigned_21_x3_t;
+  signal length_measure0_plane_a0_unit_b : unsigned_21_x3_t;
+  signal length_measure0_plane_a0_unit_plane_a : unsigned_24_x3_t;
+  signal length_measure0_plane_a0_unit_plane_b : unsigned_27_x2_t;
+  signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
+  signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
+  signal sign_lane_unit_x : signed_41_x5_t;
+  signal sign_lane_unit_bound : signed_31_x5_t;
+  signal separated3_result_unit_ends : flag_x2_x2_t;
+  signal separated3_result_unit_sides : flag_x2_x3_t;
+  signal separated4_result_unit_ends : flag_x2_x2_t;
+  signal separated4_result_unit_sides : flag_x2_x3_t;
+  signal separated5_result_unit_ends : flag_x2_x2_t;
+  signal separated5_result_unit_sides : flag_x2_x3_t;
+  signal separated6_result_unit_ends : flag_x2_x2_t;
+  signal separated6_result_unit_sides : flag_x2_x3_t;
+  signal separated7_result_unit_ends : flag_x2_x2_t;
+  signal separated7_result_unit_sides : flag_x2_x3_t;
+  signal separated8_result_unit_ends : flag_x2_x2_t;
+  signal separated8_result_unit_sides : flag_x2_x3_t;
+  signal verdict_unit_separated : std_logic_vector(8 downto 0);
+  signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
 begin
   -- Strobes, one per phase
   strobes : process (clk)
   begin
     if rising_edge(clk) then
-      for k in 0 to 10 loop
-        strobe(k) <= flag(known(phase) = (k + 10) mod 11) and in_flight;
+      for k in 0 to 2 loop
+        strobe(k) <= flag(known(phase) = (k + 2) mod 3) and in_flight;
       end loop;
     end if;
   end process strobes;
-  in_phase_10 <= flag(known(phase) = 10);
-  in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or holds(4) or holds(5) or in_phase_10;
-  v0_lo_each : for i in 0 to 2 generate
-    v0_lo(i) <= to_signed(0, 18);
-    v0_case(i) <= to_unsigned(0, 2);
-  end generate v0_lo_each;
-  holds0_or_in_phase_10 <= holds(0) or in_phase_10;
-  in_phase_8 <= flag(known(phase) = 8);
+  in_phase_2 <= flag(known(phase) = 2);
+  in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or holds(4) or holds(5) or holds(6) or holds(7) or holds(8)
+      or holds(9) or holds(10) or holds(11) or holds(12) or holds(13) or in_phase_2;
+  overlapping0_constant <= '0';
+  overlapping1_constant <= '0';
+  overlapping2_constant <= '0';
   in_phase_0 <= flag(known(phase) = 0);
-  in_phase_3 <= flag(known(phase) = 3);
-  in_phase_9 <= flag(known(phase) = 9);
-  in_phase_5 <= flag(known(phase) = 5);
+  busy_2_or_busy_8 <= busy_2 or busy_8;
+  busy_2_or_busy_8_or_busy_26 <= busy_2_or_busy_8 or busy_26;
+  busy_2_or_busy_8_or_busy_26_or_busy_35 <= busy_2_or_busy_8_or_busy_26 or busy_35;
+  in_phase_1 <= flag(known(phase) = 1);
+  busy_3_or_busy_18 <= busy_3 or busy_18;
+  busy_3_or_busy_18_or_busy_27 <= busy_3_or_busy_18 or busy_27;
+  busy_13_or_busy_22 <= busy_13 or busy_22;
+  busy_13_or_busy_22_or_busy_34 <= busy_13_or_busy_22 or busy_34;
+  busy_13_or_busy_25 <= busy_13 or busy_25;
+  busy_26_or_busy_29 <= busy_26 or busy_29;
 
   -- Clock 0
-  row_t_pose <=
-    pose_t(0) when known(row_t_pose_select_at_0) = 0 else
-    pose_t(1) when known(row_t_pose_select_at_0) = 1 else
-    pose_t(2);
-  row_t <= to_signed(0, 32) when pose_bypass = '1' else row_t_pose;
-  row_m_pose <=
-    pose_m(0) when known(row_t_pose_select_at_0) = 0 else
-    pose_m(1) when known(row_t_pose_select_at_0) = 1 else
-    pose_m(2);
-  row_m_each : for i in 0 to 2 generate
-    row_m(i) <= choose(row_diagonal_at_0(i), to_signed(268435456, 32), to_signed(0, 32)) when pose_bypass = '1' else
-        row_m_pose(i);
-  end generate row_m_each;
-  row_x <=
-    in_w(0) when known(row_x_select_at_0) = 0 else
-    in_w(1) when known(row_x_select_at_0) = 1 else
-    in_w(2);
   in_v0_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_coordinate
       port map (clk => clk, number => in_v(0)(k), passed => in_v0_inside(k), outside => in_v0_outside(k));
   end generate in_v0_inside_unit;
+  in_v1_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_v(1)(k), passed => in_v1_inside(k), outside => in_v1_outside(k));
+  end generate in_v1_inside_unit;
+  in_v2_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_v(2)(k), passed => in_v2_inside(k), outside => in_v2_outside(k));
+  end generate in_v2_inside_unit;
+  in_w0_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_w(0)(k), passed => in_w0_inside(k), outside => in_w0_outside(k));
+  end generate in_w0_inside_unit;
+  in_w1_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_w(1)(k), passed => in_w1_inside(k), outside => in_w1_outside(k));
+  end generate in_w1_inside_unit;
+  in_w2_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_w(2)(k), passed => in_w2_inside(k), outside => in_w2_outside(k));
+  end generate in_w2_inside_unit;
 
   -- Clock 1
-  clock_1 : process (clk)
-  begin
-    if rising_edge(clk) then
-      row_t_d1 <= row_t;
-      row_m_d1 <= row_m;
-      row_x_d1 <= row_x;
-    end if;
-  end process clock_1;
-  row0_t_inside_unit : entity work.guard_translation
-    port map (clk => clk, number => row_t_d1, passed => row0_t_inside, outside => row0_t_outside);
-  row0_m_inside_unit : for k in 0 to 2 generate
+  difference_v1_each : for i in 0 to 2 generate
+    difference_v1(i) <= resize(in_v1_inside(i), 33) - resize(in_v0_inside(i), 33);
+    difference_v2(i) <= resize(in_v2_inside(i), 33) - resize(in_v0_inside(i), 33);
+  end generate difference_v1_each;
+  pose_t_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_translation
+      port map (clk => clk, number => pose_t_inside_number_h1(k), passed => pose_t_inside(k),
+                outside => pose_t_outside(k));
+  end generate pose_t_inside_unit;
+  pose_m0_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_coordinate
-      port map (clk => clk, number => row_m_d1(k), passed => row0_m_inside(k), outside => row0_m_outside(k));
-  end generate row0_m_inside_unit;
-  row0_x_inside_unit : for k in 0 to 2 generate
+      port map (clk => clk, number => pose_m0_inside_number_h1(k), passed => pose_m0_inside(k),
+                outside => pose_m0_outside(k));
+  end generate pose_m0_inside_unit;
+  pose_m1_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_coordinate
-      port map (clk => clk, number => row_x_d1(k), passed => row0_x_inside(k), outside => row0_x_outside(k));
-  end generate row0_x_inside_unit;
+      port map (clk => clk, number => pose_m1_inside_number_h1(k), passed => pose_m1_inside(k),
+                outside => pose_m1_outside(k));
+  end generate pose_m1_inside_unit;
+  pose_m2_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => pose_m2_inside_number_h1(k), passed => pose_m2_inside(k),
+                outside => pose_m2_outside(k));
+  end generate pose_m2_inside_unit;
+
+  -- Clock 2
+  moved_each : for i in 0 to 2 generate
+    moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v0_inside(i), 33);
+  end generate moved_each;
+  row_w_each_of : for k in 0 to 2 generate
+    row_w_each : for i in 0 to 2 generate
+      row_w(k)(i) <=
+        in_w0_inside(i) when known(row_m_select_at_2) = 0 else
+        in_w1_inside(i) when known(row_m_select_at_2) = 1 else
+        in_w2_inside_h3(i);
+    end generate row_w_each;
+  end generate row_w_each_of;
+  outside_flags <= unsigned(pose_m2_outside) & unsigned(pose_m1_outside) & unsigned(pose_m0_outside) &
+      unsigned(pose_t_outside) & unsigned(in_w2_outside) & unsigned(in_w1_outside) & unsigned(in_w0_outside) &
+      unsigned(in_v2_outside) & unsigned(in_v1_outside) & unsigned(in_v0_outside);
+  outside_i <= or_reduce(outside_flags);
+  overlapping_i(0) <= overlapping0_constant and not outside_i;
+  overlapping_i(1) <= overlapping1_constant and not outside_i;
+  overlapping_i(2) <= overlapping2_constant and not outside_i;
 
   -- Clock 3
   clock_3 : process (clk)
   begin
     if rising_edge(clk) then
-      row0_m_inside_d1 <= row0_m_inside;
-      row0_x_inside_d1 <= row0_x_inside;
-      row0_t_inside_d1 <= row0_t_inside;
+      pose_m0_inside_d1 <= pose_m0_inside;
+      row_w_d1 <= row_w;
+      pose_m1_inside_d1 <= pose_m1_inside;
+      pose_m2_inside_d1 <= pose_m2_inside;
     end if;
   end process clock_3;
-  row_unit_m_each : for i in 0 to 2 generate
-    row_unit_m(i) <= row0_m_inside_d1(i);
-    row_unit_x(i) <= row0_x_inside_d1(i);
-  end generate row_unit_m_each;
-  row_unit : entity work.transform_row
-    port map (clk => clk, m => row_unit_m, x => row_unit_x, t => row0_t_inside_d1, bypass => pose_bypass_line(3),
-              b => row);
+  row_same <=
+    in_w0_inside when known(row_m_select_at_0) = 0 else
+    in_w1_inside_h3 when known(row_m_select_at_0) = 1 else
+    in_w2_inside_h3;
+  row_turned_unit_m_0_each : for i in 0 to 2 generate
+    row_turned_unit_m(0)(i) <= pose_m0_inside_d1(i);
+    row_turned_unit_m(1)(i) <= pose_m1_inside_d1(i);
+    row_turned_unit_m(2)(i) <= pose_m2_inside_d1(i);
+  end generate row_turned_unit_m_0_each;
+  row_turned_unit : for k in 0 to 2 generate
+    unit : entity work.difference_row
+      port map (clk => clk, m => row_turned_unit_m(k), w => row_w_d1(k), turned => row_turned(k));
+  end generate row_turned_unit;
+
+  -- Clock 8
+  clock_8 : process (clk)
+  begin
+    if rising_edge(clk) then
+      if pose_bypass_h7 = '1' then
+        row_choice_d1 <= row_same_line(4);
+      else
+        row_choice_d1 <= row_turned;
+      end if;
+    end if;
+  end process clock_8;
+  row_moved_each : for k in 0 to 2 generate
+    row_moved(k) <=
+      moved_h5(k) when known(row_m_select_at_2) = 0 else
+      moved_h5(k) when known(row_m_select_at_2) = 1 else
+      moved_h8(k);
+    row(k) <= resize(row_choice_d1(k), 34) + resize(row_moved(k), 34);
+  end generate row_moved_each;
+
+  -- Clock 9
+  difference_w0_each : for i in 0 to 2 generate
+    difference_w0(i) <= difference(i)(32 downto 0);
+  end generate difference_w0_each;
 
   -- Clock 10
-  clock_10 : process (clk)
-  begin
-    if rising_edge(clk) then
-      row_d1 <= row;
-    end if;
-  end process clock_10;
-  lane_input_each : for i in 0 to 2 generate
-    lane_input(i) <=
-      in_v0_inside_h9(i) when known(lane_input_select_at_10) = 0 else
-      in_v1_h11(i) when known(lane_input_select_at_10) = 1 else
-      in_v2_h11(i);
-  end generate lane_input_each;
+  difference_w1_each : for i in 0 to 2 generate
+    difference_w1(i) <= difference(i + 3)(32 downto 0);
+  end generate difference_w1_each;
 
   -- Clock 11
-  clock_11 : process (clk)
-  begin
-    if rising_edge(clk) then
-      lane_input_d1 <= lane_input;
-      row_d2 <= row_d1;
-    end if;
-  end process clock_11;
-  lane_lo_operand_line_x(0) <= row_d2.lo;
-  lane_lo_operand_line_x(1) <= row.lo;
-  lane_lo_operand_line_x(2) <= row.lo;
-  lane_lo_operand_line_tap(0) <= lane2_operand_select_tap_at_1;
-  lane_lo_operand_line_tap(1) <= lane1_operand_select_tap_at_1;
-  lane_lo_operand_line_tap(2) <= lane2_operand_select_tap_at_1;
-  lane_hi_operand_line_x(0) <= row_d2.hi;
-  lane_hi_operand_line_x(1) <= row.hi;
-  lane_hi_operand_line_x(2) <= row.hi;
-  lane_hi_operand_line_tap(0) <= lane2_operand_select_tap_at_1;
-  lane_hi_operand_line_tap(1) <= lane1_operand_select_tap_at_1;
-  lane_hi_operand_line_tap(2) <= lane2_operand_select_tap_at_1;
-  lane0_input_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => lane_input_d1(k), passed => lane0_input_inside(k),
-                outside => lane0_input_outside(k));
-  end generate lane0_input_inside_unit;
-  lane_lo_operand_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_32
-      port map (clk => clk, x => lane_lo_operand_line_x(i), tap => lane_lo_operand_line_tap(i),
-                y => lane_operand(i).lo);
-  end generate lane_lo_operand_line;
-  lane_hi_operand_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_32
-      port map (clk => clk, x => lane_hi_operand_line_x(i), tap => lane_hi_operand_line_tap(i),
-                y => lane_operand(i).hi);
-  end generate lane_hi_operand_line;
-
-  -- Clock 12
-  lane_lo_each : for i in 0 to 2 generate
-    lane(i).lo <= lane0_input_inside(i) when lane_from_input_at_1 = '1' else lane_operand(i).lo;
-    lane(i).hi <= lane0_input_inside(i) + 1 when lane_from_input_at_1 = '1' else lane_operand(i).hi;
-  end generate lane_lo_each;
-  outside_found <= or_reduce((or_reduce(unsigned(lane0_input_outside)) and outside_found_word_and_second_select_at_1) &
-      outside_found_word_and_first_line(10));
-  outside_so_far <= outside_found or outside_so_far_before;
+  difference_w2_each : for i in 0 to 2 generate
+    difference_w2(i) <= difference(i + 6)(32 downto 0);
+    shift_unit_x(i)(0) <= difference_v1_h10(i);
+    shift_unit_x(i)(1) <= difference_v2_h10(i);
+    shift_unit_x(i)(2) <= difference_w0(i);
+    shift_unit_x(i)(3) <= difference_w1(i);
+    shift_unit_x(i)(4) <= difference_w2(i);
+  end generate difference_w2_each;
+  shift_unit : for i in 0 to 2 generate
+    unit : entity work.coordinate_shift
+      port map (clk => clk, x => shift_unit_x(i), shift => shift(i));
+  end generate shift_unit;
 
   -- Clock 13
-  clock_13 : process (clk)
-  begin
-    if rising_edge(clk) then
-      lane_d1 <= lane;
-    end if;
-  end process clock_13;
-  offset_unit_origin_each : for i in 0 to 2 generate
-    offset_unit_origin(i) <= in_v0_inside_h12(i);
-  end generate offset_unit_origin_each;
-  offset_unit : entity work.renormalise_offset
-    port map (point => lane_d1, origin => offset_unit_origin, offset => offset);
+  lane(0) <=
+    difference_v1_h10 when known(row_m_select_at_1) = 0 else
+    difference_w0_h3 when known(row_m_select_at_1) = 1 else
+    difference_w2_h3;
+  lane(1) <= difference_w1_h3 when lane1_select_at_1 = '1' else difference_v2_h10;
 
   -- Clock 14
   clock_14 : process (clk)
   begin
     if rising_edge(clk) then
-      offset_d1 <= offset;
+      lane_d1 <= lane;
     end if;
   end process clock_14;
-  magnitude_magnitude_each : for i in 0 to 2 generate
-    magnitude_magnitude(i) <= abs_of(offset_d1(i).lo);
-    magnitude(i) <= magnitude_magnitude(i)(31 downto 0) or
-        choose(offset_d1(i).hi(32), to_unsigned(0, 32), unsigned(offset_d1(i).hi(31 downto 0)));
-    magnitude_so_far(i) <= magnitude(i) or magnitude_so_far_before(i);
-  end generate magnitude_magnitude_each;
+  lane_shifted_unit : for k in 0 to 1 generate
+    unit : entity work.coordinate_scale
+      port map (x => lane_d1(k), shift => shift_h1, cut => lane_shifted(k));
+  end generate lane_shifted_unit;
 
-  -- Clock 21
-  shift_unit : for i in 0 to 2 generate
-    unit : entity work.renormalise_shift
-      port map (clk => clk, magnitudes => magnitudes(i), shift => shift(i));
-  end generate shift_unit;
+  -- Clock 17
+  taken_x <= carried(0) & unsigned(shift_h4(0));
+  taken_y <= carried(1) & unsigned(shift_h4(1));
+  taken_z <= carried(2) & unsigned(shift_h4(2));
+  carried_unit_cut_each_of : for i in 0 to 2 generate
+    carried_unit_cut_each : for k in 0 to 4 generate
+      carried_unit_cut(i)(k) <= coordinate_cut(k)(i);
+    end generate carried_unit_cut_each;
+  end generate carried_unit_cut_each_of;
+  carried_unit : for i in 0 to 2 generate
+    unit : entity work.coordinate_carry
+      port map (cut => carried_unit_cut(i), carried => carried(i));
+  end generate carried_unit;
 
-  -- Clock 23
-  outside_flags <= outside_in_phases & unsigned(in_v0_outside_h22);
-  outside_i <= or_reduce(outside_flags);
+  -- Clock 18
+  axis_level(0) <= to_unsigned(axis_level_0_table(to_integer(known(taken_x_h1))), 3);
+  axis_level(1) <= to_unsigned(axis_level_1_table(to_integer(known(taken_y_h1))), 3);
+  axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(known(taken_z_h1))), 3);
+  axis_level0_resized_less_choice <= axis_level(1) when
+      less(signed(resize(axis_level(0), 4)), signed(resize(axis_level(1), 4))) = '1' else axis_level(0);
+  moment_plus(0)(0) <=
+    coordinate_w0(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w1(2) when known(row_m_select_at_0) = 1 else
+    coordinate_w2(0);
+  moment_plus(0)(1) <=
+    coordinate_w1(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(0) when known(row_m_select_at_0) = 1 else
+    coordinate_w0(1);
+  moment_plus(1)(0) <=
+    coordinate_w0(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w1(0) when known(row_m_select_at_0) = 1 else
+    coordinate_v1(1);
+  moment_plus(1)(1) <=
+    coordinate_w1(0) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(1) when known(row_m_select_at_0) = 1 else
+    coordinate_v2(2);
+  moment_plus(2)(0) <=
+    coordinate_w0(0) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(1) when known(row_m_select_at_0) = 1 else
+    coordinate_v1(2);
+  moment_plus(2)(1) <=
+    coordinate_w1(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w0(2) when known(row_m_select_at_0) = 1 else
+    coordinate_v2(0);
+  moment_plus(3)(0) <=
+    coordinate_w1(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(2) when known(row_m_select_at_0) = 1 else
+    coordinate_v1(0);
+  moment_plus(3)(1) <=
+    coordinate_w2(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w0(0) when known(row_m_select_at_0) = 1 else
+    coordinate_v2(1);
+  moment_minus(0)(0) <=
+    coordinate_w0(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w1(0) when known(row_m_select_at_0) = 1 else
+    coordinate_w2(1);
+  moment_minus(0)(1) <=
+    coordinate_w1(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(2) when known(row_m_select_at_0) = 1 else
+    coordinate_w0(0);
+  moment_minus(1)(0) <=
+    coordinate_w0(0) when known(row_m_select_at_0) = 0 else
+    coordinate_w1(1) when known(row_m_select_at_0) = 1 else
+    coordinate_v1(2);
+  moment_minus(1)(1) <=
+    coordinate_w1(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(0) when known(row_m_select_at_0) = 1 else
+    coordinate_v2(1);
+  moment_minus(2)(0) <=
+    coordinate_w0(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(2) when known(row_m_select_at_0) = 1 else
+    coordinate_v1(0);
+  moment_minus(2)(1) <=
+    coordinate_w1(0) when known(row_m_select_at_0) = 0 else
+    coordinate_w0(1) when known(row_m_select_at_0) = 1 else
+    coordinate_v2(2);
+  moment_minus(3)(0) <=
+    coordinate_w1(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(0) when known(row_m_select_at_0) = 1 else
+    coordinate_v1(1);
+  moment_minus(3)(1) <=
+    coordinate_w2(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w0(2) when known(row_m_select_at_0) = 1 else
+    coordinate_v2(0);
+  coordinate_w0_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut2_h2, carried => carried_h1, y => coordinate_w0);
+  coordinate_w1_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut3_h2, carried => carried_h1, y => coordinate_w1);
+  coordinate_w2_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut4_h1, carried => carried_h1, y => coordinate_w2);
 
-  -- Clock 24
-  clock_24 : process (clk)
+  -- Clock 19
+  clock_19 : process (clk)
   begin
     if rising_edge(clk) then
-      shift_d1 <= shift;
+      moment_plus_d1 <= moment_plus;
+      moment_minus_d1 <= moment_minus;
     end if;
-  end process clock_24;
-  scaled_unit : entity work.renormalise_scale
-    port map (clk => clk, offset => offset_line(10), shift => shift_d1, scaled => scaled);
+  end process clock_19;
+  moment_lane_cut_unit : for k in 0 to 3 generate
+    unit : entity work.moment_component
+      port map (clk => clk, plus => moment_plus_d1(k), minus => moment_minus_d1(k), cut => moment_lane_cut(k),
+                too_great => moment_too_great(k)(0));
+  end generate moment_lane_cut_unit;
+
+  -- Clock 20
+  coordinate_v1_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut0_h5, carried => carried_h3, y => coordinate_v1);
+  coordinate_v2_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut1_h5, carried => carried_h3, y => coordinate_v2);
+
+  -- Clock 21
+  e_a1_each : for i in 0 to 2 generate
+    e_a1(i) <= resize(coordinate_v2_h1(i), 19) - resize(coordinate_v1_h1(i), 19);
+  end generate e_a1_each;
+
+  -- Clock 22
+  level <= axis_level2_h4 when level_less_h3 = '1' else axis_level0_resized_less_choice_h4;
+  too_great_0_found <= or_reduce(unsigned(moment_too_great(3)) & unsigned(moment_too_great(2)) &
+      unsigned(moment_too_great(1)) & unsigned(moment_too_great(0)));
+  too_great_0_so_far <= too_great_0_found or too_great_0_so_far_before;
+  e_b_0_each : for i in 0 to 2 generate
+    e_b(0)(i) <= resize(coordinate_w1_h4(i), 19) - resize(coordinate_w0_h4(i), 19);
+    e_b(1)(i) <= resize(coordinate_w2_h4(i), 19) - resize(coordinate_w1_h4(i), 19);
+    e_b(2)(i) <= resize(coordinate_w0_h4(i), 19) - resize(coordinate_w2_h4(i), 19);
+    norm_x(0)(i) <=
+      resize(coordinate_v1(i), 19) when known(row_m_select_at_1) = 0 else
+      norm_x0_resized_third_h3(i) when known(row_m_select_at_1) = 1 else
+      e_b(0)(i);
+    norm_x(1)(i) <=
+      resize(coordinate_v2(i), 19) when known(row_m_select_at_1) = 0 else
+      norm_x1_resized_third_h3(i) when known(row_m_select_at_1) = 1 else
+      e_b(1)(i);
+  end generate e_b_0_each;
+  norm_x(2) <=
+    e_a1 when known(row_m_select_at_1) = 0 else
+    norm_x2_resized_h3 when known(row_m_select_at_1) = 1 else
+    e_b(2);
+  rest_of_level <=
+    to_unsigned(64, 15) when known(level) = 0 else
+    to_unsigned(64, 15) when known(level) = 1 else
+    to_unsigned(64, 15) when known(level) = 2 else
+    to_unsigned(256, 15) when known(level) = 3 else
+    to_unsigned(1024, 15) when known(level) = 4 else
+    to_unsigned(4096, 15) when known(level) = 5 else
+    to_unsigned(16384, 15);
+  rest_of_level_aligned <= append(rest_of_level, 1);
+  boxes_v(0) <=
+    coordinate_v1(0) when known(row_m_select_at_1) = 0 else
+    coordinate_v1_h3(1) when known(row_m_select_at_1) = 1 else
+    coordinate_v1_h3(2);
+  boxes_v(1) <=
+    coordinate_v2(0) when known(row_m_select_at_1) = 0 else
+    coordinate_v2_h3(1) when known(row_m_select_at_1) = 1 else
+    coordinate_v2_h3(2);
+  boxes_w(0) <=
+    coordinate_w0_h4(0) when known(row_m_select_at_1) = 0 else
+    coordinate_w0_h4(1) when known(row_m_select_at_1) = 1 else
+    coordinate_w0_h6(2);
+  boxes_w(1) <=
+    coordinate_w1_h4(0) when known(row_m_select_at_1) = 0 else
+    coordinate_w1_h4(1) when known(row_m_select_at_1) = 1 else
+    coordinate_w1_h6(2);
+  boxes_w(2) <=
+    coordinate_w2_h4(0) when known(row_m_select_at_1) = 0 else
+    coordinate_w2_h4(1) when known(row_m_select_at_1) = 1 else
+    coordinate_w2_h6(2);
+
+  -- Clock 23
+  clock_23 : process (clk)
+  begin
+    if rising_edge(clk) then
+      norm_x_d1 <= norm_x;
+      boxes_v_d1 <= boxes_v;
+      boxes_w_d1 <= boxes_w;
+      boxes_wrong_d1 <= to_unsigned(boxes_wrong_table(to_integer(known(level))), 5);
+    end if;
+  end process clock_23;
+  norm_lane_unit : for k in 0 to 2 generate
+    unit : entity work.vector_norm
+      port map (clk => clk, x => norm_x_d1(k), norm => norm_lane(k));
+  end generate norm_lane_unit;
+  boxes_lane_unit : entity work.boxes_axis
+    port map (clk => clk, v => boxes_v_d1, w => boxes_w_d1, wrong => boxes_wrong_d1, apart => boxes_lane);
+
+  -- Clock 25
+  places <= '1' when places_captured = '1' else '0';
+  moment_exact_0_each : for i in 0 to 2 generate
+    moment_exact(0)(i) <= moment_cut(i + 6) when lane1_select_at_1 = '1' else moment_cut(i);
+    moment_exact(1)(i) <= moment_cut(i + 9) when lane1_select_at_1 = '1' else moment_cut(i + 3);
+  end generate moment_exact_0_each;
+  rest <= resize(rest_of_level_aligned_h3, 17) when places = '1' else rest_aligned_second_h3;
+  moment_lane_unit : for k in 0 to 1 generate
+    unit : entity work.moment_round
+      port map (cut => moment_exact(k), places => places, moment => moment_lane(k));
+  end generate moment_lane_unit;
 
   -- Clock 26
   clock_26 : process (clk)
   begin
     if rising_edge(clk) then
-      scaled_d1 <= scaled;
+      places_d1 <= places;
     end if;
   end process clock_26;
-  lane_difference_lo_each : for i in 0 to 2 generate
-    lane_difference(i).lo <= resize(scaled_d1(i).lo, 19) - resize(scaled_d2(i).hi, 19);
-    lane_difference(i).hi <= resize(scaled_d1(i).hi, 19) - resize(scaled_d2(i).lo, 19);
-  end generate lane_difference_lo_each;
+  dot_x(0) <=
+    coordinate_w0_h6 when known(row_m_select_at_2) = 0 else
+    coordinate_w1_h9 when known(row_m_select_at_2) = 1 else
+    coordinate_v2_h6;
+  dot_x(1) <=
+    coordinate_v1_h6 when known(row_m_select_at_2) = 0 else
+    coordinate_w0_h9 when known(row_m_select_at_2) = 1 else
+    coordinate_w2_h9;
+  dot_x(2) <= coordinate_v2_h6 when lane1_select_at_2 = '1' else coordinate_v1_h6;
+  dot_x(3) <= coordinate_v2_h6 when lane1_select_at_2 = '1' else coordinate_v1_h6;
+  dot_m(1) <=
+    moment_m0 when known(row_m_select_at_2) = 0 else
+    moment_m1 when known(row_m_select_at_2) = 1 else
+    moment_n;
+  dot_m(2) <= moment_m0 when lane1_select_at_2 = '1' else moment_m1;
+  length_x(0) <=
+    length_measure(0) when known(row_m_select_at_2) = 0 else
+    length_measure(3) when known(row_m_select_at_2) = 1 else
+    length_measure(6);
+  length_x(1) <=
+    length_measure(1) when known(row_m_select_at_2) = 0 else
+    length_measure(4) when known(row_m_select_at_2) = 1 else
+    length_measure(7);
+  length_x(2) <=
+    length_measure(2) when known(row_m_select_at_2) = 0 else
+    length_measure(5) when known(row_m_select_at_2) = 1 else
+    length_measure8_h3;
+  length_times_g_each : for k in 0 to 2 generate
+    length_times_g(k) <= resize(length_x(k), 22) when places_d1 = '1' else append(length_x(k), 1);
+  end generate length_times_g_each;
+  moment_norm_x(0) <= moment_m2 when lane1_select_at_2 = '1' else moment_m0;
+  moment_norm_x(1) <= moment_n when lane1_select_at_2 = '1' else moment_m1;
 
   -- Clock 27
   clock_27 : process (clk)
   begin
     if rising_edge(clk) then
-      scaled_d2 <= scaled_d1;
-      lane_difference_d1 <= lane_difference;
-      for i in 0 to 2 loop
-        lane_edge_hi_second_up_d1(i) <= resize(lane_difference(i).hi(18 downto 1), 19) + 1;
-      end loop;
+      dot_x_d1 <= dot_x;
+      dot_m1_d1 <= dot_m(1);
+      dot_m2_d1 <= dot_m(2);
+      length_times_g_d1 <= length_times_g;
+      level_h4_d1 <= level_h4;
+      moment_norm_x_d1 <= moment_norm_x;
     end if;
   end process clock_27;
-  lane_edge_lo_each : for i in 0 to 2 generate
-    lane_edge(i).lo <= lane_difference_d1(i).lo(17 downto 0) when lane_edge_rounding_at_5 = '1' else
-        lane_difference_d1(i).lo(18 downto 1);
-    lane_edge(i).hi <= lane_difference_d1(i).hi(17 downto 0) when lane_edge_rounding_at_5 = '1' else
-        lane_edge_hi_second_up_d1(i)(17 downto 0);
-  end generate lane_edge_lo_each;
-  scaled_case_unit : for i in 0 to 2 generate
-    unit : entity work.sign_case
-      port map (x => scaled_d2(i), number => scaled_case(i));
-  end generate scaled_case_unit;
-  lane_edge_case_unit : for i in 0 to 2 generate
-    unit : entity work.sign_case
-      port map (x => lane_edge(i), number => lane_edge_case(i));
-  end generate lane_edge_case_unit;
-  axis_e_lo_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => lane_edge(i).lo, tap => axis_e_select_tap_at_10, y => axis_e(i).lo);
-  end generate axis_e_lo_line;
-  axis_e_hi_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => lane_edge(i).hi, tap => axis_e_select_tap_at_10, y => axis_e(i).hi);
-  end generate axis_e_hi_line;
-  axis_e_case_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_u2
-      port map (clk => clk, x => lane_edge_case(i), tap => axis_e_select_tap_at_10, y => axis_e_case(i));
-  end generate axis_e_case_line;
-  axis_f_lo_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => lane_edge(i).lo, tap => axis_f_select_tap_at_10, y => axis_f(i).lo);
-  end generate axis_f_lo_line;
-  axis_f_hi_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => lane_edge(i).hi, tap => axis_f_select_tap_at_10, y => axis_f(i).hi);
-  end generate axis_f_hi_line;
-  axis_f_case_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_u2
-      port map (clk => clk, x => lane_edge_case(i), tap => axis_f_select_tap_at_10, y => axis_f_case(i));
-  end generate axis_f_case_line;
+  dot_m(0) <=
+    moment_n when known(row_m_select_at_0) = 0 else
+    moment_n when known(row_m_select_at_0) = 1 else
+    moment_m2;
+  dot_m(3) <= moment_m1 when lane1_select_at_0 = '1' else moment_m2;
+  length_first_unit : for k in 0 to 2 generate
+    unit : entity work.length_first_order
+      port map (x => length_times_g_d1(k), by => level_h4_d1, first_order => length_first(k));
+  end generate length_first_unit;
+  moment_norm_lane_unit : for k in 0 to 1 generate
+    unit : entity work.moment_norm
+      port map (clk => clk, x => moment_norm_x_d1(k), norm => moment_norm_lane(k));
+  end generate moment_norm_lane_unit;
+
+  -- Clock 28
+  clock_28 : process (clk)
+  begin
+    if rising_edge(clk) then
+      dot_x0_d2 <= dot_x_d1(0);
+      dot_x3_d2 <= dot_x_d1(3);
+      dot_m0_d1 <= dot_m(0);
+      dot_m3_d1 <= dot_m(3);
+    end if;
+  end process clock_28;
+  face_of_vertex_negative_difference_0_each : for k in 0 to 1 generate
+    face_of_vertex_negative_difference(k)(0) <= signed(resize(length_bound(k), 30)) -
+        signed(resize(length_bound(2), 30));
+    face_of_vertex(k)(0) <= length_bound(k) when face_of_vertex_negative_difference(k)(0)(29) = '1' else
+        length_bound(2);
+  end generate face_of_vertex_negative_difference_0_each;
+  boxes_apart <= or_reduce(unsigned(boxes_apart_along));
+  separated_i(0) <= boxes_apart and separated_not_h26(0);
+  dot_lane_unit_x(0) <= dot_x0_d2;
+  dot_lane_unit_x(1) <= dot_x_d1(1);
+  dot_lane_unit_x(2) <= dot_x_d1(2);
+  dot_lane_unit_x(3) <= dot_x3_d2;
+  dot_lane_unit_m(0) <= dot_m0_d1;
+  dot_lane_unit_m(1) <= dot_m1_d1;
+  dot_lane_unit_m(2) <= dot_m2_d1;
+  dot_lane_unit_m(3) <= dot_m3_d1;
+  length_measure0_plane_a0_unit_v(0) <= length_measure0_h3;
+  length_measure0_plane_a0_unit_v(1) <= length_measure1_h3;
+  length_measure0_plane_a0_unit_w(0) <= length_measure2_h2;
+  length_measure0_plane_a0_unit_w(1) <= length_measure3_h2;
+  length_measure0_plane_a0_unit_w(2) <= length_measure4_h2;
+  length_measure0_plane_a0_unit_b(0) <= length_measure5_h1;
+  length_measure0_plane_a0_unit_b(1) <= length_measure6_h1;
+  length_measure0_plane_a0_unit_b(2) <= length_measure7_h1;
+  length_measure0_plane_a0 <= length_measure0_plane_a0_unit_plane_a(0);
+  bound_plane_a1_sum_first_result <= length_measure0_plane_a0_unit_plane_a(1);
+  bound_plane_a2_sum_first_result <= length_measure0_plane_a0_unit_plane_a(2);
+  bound_plane_b1_result <= length_measure0_plane_a0_unit_plane_b(0);
+  bound_plane_b2_result <= length_measure0_plane_a0_unit_plane_b(1);
+  length_measure0_ends0 <= length_measure0_plane_a0_unit_ends(0);
+  length_measure0_ends1 <= length_measure0_plane_a0_unit_ends(1);
+  bound_side10_result <= length_measure0_plane_a0_unit_middle(0);
+  bound_side11_result <= length_measure0_plane_a0_unit_middle(1);
+  bound_side12_result <= length_measure0_plane_a0_unit_middle(2);
+  dot_lane_unit : for k in 0 to 3 generate
+    unit : entity work.dot_product
+      port map (clk => clk, x => dot_lane_unit_x(k), m => dot_lane_unit_m(k), dot => dot_lane(k));
+  end generate dot_lane_unit;
+  length_measure0_plane_a0_unit : entity work.bound_tails
+    port map (clk => clk, v => length_measure0_plane_a0_unit_v, a => length_measure8_h3,
+              w => length_measure0_plane_a0_unit_w, b => length_measure0_plane_a0_unit_b, rest => rest_h3,
+              plane_a => length_measure0_plane_a0_unit_plane_a, plane_b => length_measure0_plane_a0_unit_plane_b,
+              ends => length_measure0_plane_a0_unit_ends, middle => length_measure0_plane_a0_unit_middle);
+
+  -- Clock 29
+  moment_measure(0) <= resize(norm_of_moment(0), 21);
+  moment_measure(1) <= resize(norm_of_moment(1), 21);
+  moment_x_each : for k in 0 to 1 generate
+    moment_x(k) <= moment_measure(k + 2) when lane1_select_at_2 = '1' else moment_measure(k);
+    face_of_vertex_negative_difference(k)(1) <= signed(resize(length_bound(k), 30)) -
+        signed(resize(length_bound(3), 30));
+    face_of_vertex_negative_difference(k)(2) <= signed(resize(length_bound(k), 30)) -
+        signed(resize(length_bound(4), 30));
+    face_of_vertex(k)(1) <= length_bound(k) when face_of_vertex_negative_difference(k)(1)(29) = '1' else
+        length_bound(3);
+    face_of_vertex(k)(2) <= length_bound(k) when face_of_vertex_negative_difference(k)(2)(29) = '1' else
+        length_bound(4);
+  end generate moment_x_each;
+
+  -- Clock 30
+  clock_30 : process (clk)
+  begin
+    if rising_edge(clk) then
+      moment_x_d1 <= moment_x;
+    end if;
+  end process clock_30;
+  moment_measure(2) <= resize(norm_of_moment(2), 21);
+  moment_measure(3) <= resize(norm_of_moment(3), 21);
+  moment_first_unit : for k in 0 to 1 generate
+    unit : entity work.moment_first_order
+      port map (x => moment_x_d1(k), by => level_h4_line(3), first_order => moment_first(k));
+  end generate moment_first_unit;
+
+  -- Clock 31
+  compared(0) <= resize(determinant_plane_a0, 41);
+  compared(3) <= resize(determinant_plane_b0, 41);
+  compared(12) <= resize(determinant_side20, 41);
+
+  -- Clock 32
+  compared(1) <= resize(determinant_plane_a1, 41);
+  compared(2) <= resize(determinant_plane_a2, 41);
+  compared(13) <= resize(determinant_side21, 41);
+  bound_all_m <= resize(resize(moment_bound(0), 29) + resize(moment_bound(1), 29), 30) + resize(moment_bound(2), 30);
+  bound_plane_a0 <= resize(resize(moment_bound(3), 29) + resize(length_measure0_plane_a0_h3, 29), 31) +
+      resize(bound_plane_a0_sum_second_h3, 31);
+  bound_side00 <= resize(resize(moment_bound(0), 29) + resize(length_measure0_ends0_h3, 29), 31) +
+      resize(resize(face_of_vertex0_h2(0), 30) + resize(face_of_vertex_h1(0)(1), 30), 31);
+  bound_side01 <= resize(resize(moment_bound(1), 29) + resize(length_measure0_ends0_h3, 29), 31) +
+      resize(resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(0)(2), 30), 31);
+  bound_side20 <= resize(resize(moment_bound(0), 29) + resize(length_measure0_ends1_h3, 29), 31) +
+      resize(resize(face_of_vertex1_h3(0), 30) + resize(face_of_vertex1_h2(1), 30), 31);
+  bound_side21 <= resize(resize(moment_bound(1), 29) + resize(length_measure0_ends1_h3, 29), 31) +
+      resize(resize(face_of_vertex1_h2(1), 30) + resize(face_of_vertex1_h2(2), 30), 31);
+  compared_bound(0) <= signed(resize(bound_plane_a0(30 downto 3), 31));
+  compared_bound(6) <= signed(resize(bound_side00(30 downto 3), 31));
+  compared_bound(7) <= signed(resize(bound_side01(30 downto 3), 31));
+  compared_bound(12) <= signed(resize(bound_side20(30 downto 3), 31));
+  compared_bound(13) <= signed(resize(bound_side21(30 downto 3), 31));
 
   -- Clock 33
-  clock_33 : process (clk)
-  begin
-    if rising_edge(clk) then
-      axis_e_d1 <= axis_e;
-      axis_e_case_d1 <= axis_e_case;
-      axis_f_d1 <= axis_f;
-      axis_f_case_d1 <= axis_f_case;
-    end if;
-  end process clock_33;
-  axis_exact_unit : entity work.cross_product
-    port map (clk => clk, e => axis_e_d1, e_case => axis_e_case_d1, f => axis_f_d1, f_case => axis_f_case_d1,
-              l => axis_exact);
-  axis0_v_lo1_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_line(6)(i).lo, tap => axis0_v1_1_select_tap_at_7, y => axis0_v(1)(i).lo);
-  end generate axis0_v_lo1_line;
-  axis0_v_lo2_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_d9(i).lo, tap => axis0_v2_1_select_tap_at_7, y => axis0_v(2)(i).lo);
-  end generate axis0_v_lo2_line;
-  axis0_v_hi1_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_line(6)(i).hi, tap => axis0_v1_1_select_tap_at_7, y => axis0_v(1)(i).hi);
-  end generate axis0_v_hi1_line;
-  axis0_v_hi2_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_d9(i).hi, tap => axis0_v2_1_select_tap_at_7, y => axis0_v(2)(i).hi);
-  end generate axis0_v_hi2_line;
-  axis0_v1_case_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_u2
-      port map (clk => clk, x => scaled_case_line(6)(i), tap => axis0_v1_1_select_tap_at_7, y => axis0_v_case(1)(i));
-  end generate axis0_v1_case_line;
-  axis0_v2_case_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_u2
-      port map (clk => clk, x => scaled_case_d7(i), tap => axis0_v2_1_select_tap_at_7, y => axis0_v_case(2)(i));
-  end generate axis0_v2_case_line;
+  compared(14) <= resize(determinant_side22, 41);
+  bound_plane_a1 <= resize(resize(moment_bound(3), 29) + resize(bound_plane_a1_sum_first_result_h3, 29), 31) +
+      resize(bound_plane_a1_sum_second_h3, 31);
+  bound_plane_a2 <= resize(resize(moment_bound(3), 29) + resize(bound_plane_a2_sum_first_result_h3, 29), 31) +
+      resize(bound_plane_a2_sum_second_h3, 31);
+  bound_corner <= resize(bound_corner_aligned_h1, 32) + resize(bound_corner_sum_h3, 32);
+  bound_plane_b0 <= resize(bound_all_m_h1, 31) + resize(length_measure0_plane_a0_h4, 31);
+  bound_plane_b1 <= resize(bound_corner, 33) + resize(bound_plane_b1_result_h4, 33);
+  bound_plane_b2 <= resize(bound_corner, 33) + resize(bound_plane_b2_result_h4, 33);
+  bound_of_a <= resize(append(moment_bound(3), 1), 31) + resize(bound_of_a_aligned_second_h3, 31);
+  bound_side02 <= resize(resize(moment_bound(2), 29) + resize(length_measure0_ends0_h3, 29), 31) +
+      resize(bound_side02_sum_second_h3, 31);
+  bound_side22 <= resize(resize(moment_bound(2), 29) + resize(length_measure0_ends1_h3, 29), 31) +
+      resize(bound_side22_sum_second_h3, 31);
+  compared_bound(1) <= signed(resize(bound_plane_a1(30 downto 3), 31));
+  compared_bound(2) <= signed(resize(bound_plane_a2(30 downto 3), 31));
+  compared_bound(3) <= signed(resize(bound_plane_b0(30 downto 3), 31));
+  compared_bound(4) <= signed(resize(bound_plane_b1(32 downto 3), 31));
+  compared_bound(5) <= signed(resize(bound_plane_b2(32 downto 3), 31));
+  compared_bound(8) <= signed(resize(bound_side02(30 downto 3), 31));
+  compared_bound(14) <= signed(resize(bound_side22(30 downto 3), 31));
+  compared_unit_a(0) <= determinant_plane_a0;
+  compared_unit_a(1) <= determinant_plane_a1;
+  compared_unit_a(2) <= determinant_plane_a2;
+  compared_unit_d(0)(0) <= dot_d1_0_h3;
+  compared_unit_d(0)(1) <= dot_d1_1_h3;
+  compared_unit_d(0)(2) <= dot_d1(2);
+  compared_unit_d(1)(0) <= determinant_side20;
+  compared_unit_d(1)(1) <= determinant_side21;
+  compared_unit_d(1)(2) <= determinant_side22;
+  compared_each : for k in 0 to 1 generate
+    compared(k + 4) <= compared_unit_plane_b(k);
+  end generate compared_each;
+  determinant_side00 <= compared_unit_side0(0);
+  determinant_side01 <= compared_unit_side0(1);
+  determinant_side02 <= compared_unit_side0(2);
+  determinant_side10 <= compared_unit_side1(0);
+  determinant_side11 <= compared_unit_side1(1);
+  determinant_side12 <= compared_unit_side1(2);
+  compared_unit : entity work.determinant_sums
+    port map (clk => clk, a => compared_unit_a, d => compared_unit_d, v => determinant_plane_b0,
+              plane_b => compared_unit_plane_b, side0 => compared_unit_side0, side1 => compared_unit_side1);
 
   -- Clock 34
-  clock_34 : process (clk)
+  bound_side10 <= resize(bound_side10_sum_h1, 33) + resize(bound_side10_result_h5, 33);
+  bound_side11 <= resize(bound_side11_sum_h1, 33) + resize(bound_side11_result_h5, 33);
+  bound_side12 <= resize(bound_side12_sum_h1, 33) + resize(bound_side12_result_h5, 33);
+  compared_bound(9) <= signed(resize(bound_side10(32 downto 3), 31));
+  compared_bound(10) <= signed(resize(bound_side11(32 downto 3), 31));
+  compared_bound(11) <= signed(resize(bound_side12(32 downto 3), 31));
+  sign_x(0) <=
+    compared0_h3 when known(row_m_select_at_1) = 0 else
+    compared(5) when known(row_m_select_at_1) = 1 else
+    compared10_h1;
+  sign_x(1) <=
+    compared(1) when known(row_m_select_at_1) = 0 else
+    compared(6) when known(row_m_select_at_1) = 1 else
+    compared11_h1;
+  sign_x(2) <=
+    compared(2) when known(row_m_select_at_1) = 0 else
+    compared(7) when known(row_m_select_at_1) = 1 else
+    compared12_h3;
+  sign_x(3) <=
+    compared3_h3 when known(row_m_select_at_1) = 0 else
+    compared(8) when known(row_m_select_at_1) = 1 else
+    compared13_h3;
+  sign_bound(0) <=
+    compared_bound0_h2 when known(row_m_select_at_1) = 0 else
+    compared_bound5_h2 when known(row_m_select_at_1) = 1 else
+    compared_bound(10);
+  sign_bound(1) <=
+    compared_bound1_h1 when known(row_m_select_at_1) = 0 else
+    compared_bound6_h1 when known(row_m_select_at_1) = 1 else
+    compared_bound(11);
+  sign_bound(2) <=
+    compared_bound2_h1 when known(row_m_select_at_1) = 0 else
+    compared_bound7_h1 when known(row_m_select_at_1) = 1 else
+    compared_bound12_h2;
+  sign_bound(3) <=
+    compared_bound(3) when known(row_m_select_at_1) = 0 else
+    compared_bound8_h2 when known(row_m_select_at_1) = 1 else
+    compared_bound13_h2;
+
+  -- Clock 35
+  clock_35 : process (clk)
   begin
     if rising_edge(clk) then
-      scaled_d9 <= scaled_line(6);
-      scaled_case_d7 <= scaled_case_line(6);
+      sign_x0_d1 <= sign_x(0);
+      sign_x1_d1 <= sign_x(1);
+      sign_x2_d1 <= sign_x(2);
+      sign_x3_d1 <= sign_x(3);
+      sign_bound0_d1 <= sign_bound(0);
+      sign_bound1_d1 <= sign_bound(1);
+      sign_bound2_d1 <= sign_bound(2);
+      sign_bound3_d1 <= sign_bound(3);
     end if;
-  end process clock_34;
+  end process clock_35;
+  compared(6) <= resize(determinant_side00, 41);
+  compared(7) <= resize(determinant_side01, 41);
+  compared(8) <= resize(determinant_side02, 41);
+  compared(9) <= resize(determinant_side10, 41);
+  compared(10) <= resize(determinant_side11, 41);
+  compared(11) <= resize(determinant_side12, 41);
+  sign_x(4) <=
+    compared(4) when known(row_m_select_at_2) = 0 else
+    compared9_h1 when known(row_m_select_at_2) = 1 else
+    compared14_h3;
+  sign_bound(4) <=
+    compared_bound4_h2 when known(row_m_select_at_2) = 0 else
+    compared_bound(9) when known(row_m_select_at_2) = 1 else
+    compared_bound14_h2;
+  sign_lane_unit_x(0) <= sign_x0_d1;
+  sign_lane_unit_x(1) <= sign_x1_d1;
+  sign_lane_unit_x(2) <= sign_x2_d1;
+  sign_lane_unit_x(3) <= sign_x3_d1;
+  sign_lane_unit_x(4) <= sign_x4_d1;
+  sign_lane_unit_bound(0) <= sign_bound0_d1;
+  sign_lane_unit_bound(1) <= sign_bound1_d1;
+  sign_lane_unit_bound(2) <= sign_bound2_d1;
+  sign_lane_unit_bound(3) <= sign_bound3_d1;
+  sign_lane_unit_bound(4) <= sign_bound4_d1;
+  sign_lane_unit : for k in 0 to 4 generate
+    unit : entity work.certain_sign
+      port map (x => sign_lane_unit_x(k), bound => sign_lane_unit_bound(k), sign => sign_lane(k));
+  end generate sign_lane_unit;
 
   -- Clock 36
   clock_36 : process (clk)
   begin
     if rising_edge(clk) then
-      axis_exact_d1 <= axis_exact;
+      sign_x4_d1 <= sign_x(4);
+      sign_bound4_d1 <= sign_bound(4);
     end if;
   end process clock_36;
-  axis_l_unit : entity work.axis_shift
-    port map (clk => clk, exact => axis_exact_d1, l => axis_l);
+  separated_i(1) <= ((sign(0)(0) and sign(1)(0) and sign(2)(0)) or (sign(0)(1) and sign(1)(1) and sign(2)(1))) and
+      separated1_not_h34;
+
+  -- Clock 37
+  separated_i(2) <= ((sign(3)(0) and sign(4)(0) and sign(5)(0)) or (sign(3)(1) and sign(4)(1) and sign(5)(1))) and
+      separated2_not_h35;
+  separated_i(3) <= separated3_result and separated3_not_h35;
+  overlapping_i(3) <= overlapping3_result and overlapping3_not_h35;
+  separated3_result_unit_ends_each : for k in 0 to 1 generate
+    separated3_result_unit_ends(k) <= sign(k + 3);
+  end generate separated3_result_unit_ends_each;
+  separated3_result_unit_sides_each : for k in 0 to 2 generate
+    separated3_result_unit_sides(k) <= sign(k + 6);
+  end generate separated3_result_unit_sides_each;
+  separated4_result_unit_ends_each : for k in 0 to 1 generate
+    separated4_result_unit_ends(k) <= sign(k + 4);
+  end generate separated4_result_unit_ends_each;
+  separated4_result_unit_sides_each : for k in 0 to 2 generate
+    separated4_result_unit_sides(k) <= sign(k + 9);
+  end generate separated4_result_unit_sides_each;
+  separated5_result_unit_ends(0) <= sign(5);
+  separated5_result_unit_ends(1) <= sign3_h3;
+  separated5_result_unit_sides_each : for k in 0 to 2 generate
+    separated5_result_unit_sides(k) <= sign(k + 12);
+  end generate separated5_result_unit_sides_each;
+  separated6_result_unit_ends_each : for k in 0 to 1 generate
+    separated6_result_unit_ends(k) <= sign(k);
+  end generate separated6_result_unit_ends_each;
+  separated6_result_unit_sides(0) <= sign(6);
+  separated6_result_unit_sides(1) <= sign(9);
+  separated6_result_unit_sides(2) <= sign(12);
+  separated7_result_unit_ends_each : for k in 0 to 1 generate
+    separated7_result_unit_ends(k) <= sign(k + 1);
+  end generate separated7_result_unit_ends_each;
+  separated7_result_unit_sides(0) <= sign(7);
+  separated7_result_unit_sides(1) <= sign(10);
+  separated7_result_unit_sides(2) <= sign(13);
+  separated8_result_unit_ends(0) <= sign2_h3;
+  separated8_result_unit_ends(1) <= sign0_h3;
+  separated8_result_unit_sides(0) <= sign(8);
+  separated8_result_unit_sides(1) <= sign(11);
+  separated8_result_unit_sides(2) <= sign(14);
+  separated3_result_unit : entity work.edge_verdict
+    port map (ends => separated3_result_unit_ends, sides => separated3_result_unit_sides, missed => separated3_result,
+              pierces => overlapping3_result);
+  separated4_result_unit : entity work.edge_verdict
+    port map (ends => separated4_result_unit_ends, sides => separated4_result_unit_sides, missed => separated4_result,
+              pierces => overlapping4_result);
+  separated5_result_unit : entity work.edge_verdict
+    port map (ends => separated5_result_unit_ends, sides => separated5_result_unit_sides, missed => separated5_result,
+              pierces => overlapping5_result);
+  separated6_result_unit : entity work.edge_verdict
+    port map (ends => separated6_result_unit_ends, sides => separated6_result_unit_sides, missed => separated6_result,
+              pierces => overlapping6_result);
+  separated7_result_unit : entity work.edge_verdict
+    port map (ends => separated7_result_unit_ends, sides => separated7_result_unit_sides, missed => separated7_result,
+              pierces => overlapping7_result);
+  separated8_result_unit : entity work.edge_verdict
+    port map (ends => separated8_result_unit_ends, sides => separated8_result_unit_sides, missed => separated8_result,
+              pierces => overlapping8_result);
+
+  -- Clock 38
+  separated_i(4) <= separated4_result and separated4_not_h36;
+  separated_i(6) <= separated6_result and separated6_not_h36;
+  separated_i(7) <= separated7_result and separated7_not_h36;
+  overlapping_i(4) <= overlapping4_result and overlapping4_not_h36;
+  overlapping_i(6) <= overlapping6_result and overlapping6_not_h36;
+  overlapping_i(7) <= overlapping7_result and overlapping7_not_h36;
+
+  -- Clock 39
+  separated_i(5) <= separated5_result and separated5_not_h37;
+  separated_i(8) <= separated8_result and separated8_not_h37;
+  overlapping_i(5) <= overlapping5_result and overlapping5_not_h37;
+  overlapping_i(8) <= overlapping8_result and overlapping8_not_h37;
 
   -- Clock 40
-  clock_40 : process (clk)
-  begin
-    if rising_edge(clk) then
-      axis_l_d1 <= axis_l;
-    end if;
-  end process clock_40;
-  axis0_v_0_lo_each : for i in 0 to 2 generate
-    axis0_v(0)(i).lo <= v1_h16(i).lo when axis0_v0_select_at_7 = '1' else v0_lo(i);
-    axis0_v(0)(i).hi <= v1_h16(i).hi when axis0_v0_select_at_7 = '1' else v0_hi_h14(i);
-  end generate axis0_v_0_lo_each;
-  axis0_v(3) <= w1_h11 when axis0_v3_select_at_7 = '1' else w0_h10;
-  axis0_v_case(0) <= v1_case_h11 when axis0_v0_select_at_7 = '1' else v0_case;
-  axis0_v_case(3) <= w1_case_h11 when axis0_v3_select_at_7 = '1' else w0_case_h8;
-  axis_l_case_unit : for i in 0 to 2 generate
-    unit : entity work.sign_case
-      port map (x => axis_l_d1(i), number => axis_l_case(i));
-  end generate axis_l_case_unit;
-
-  -- Clock 41
-  clock_41 : process (clk)
-  begin
-    if rising_edge(clk) then
-      axis0_v_d1 <= axis0_v;
-      axis0_v_case_d1 <= axis0_v_case;
-      axis_l_d2 <= axis_l_d1;
-      axis_l_case_d1 <= axis_l_case;
-    end if;
-  end process clock_41;
-  p_unit : for k in 0 to 3 generate
-    unit : entity work.projection
-      port map (clk => clk, v => axis0_v_d1(k), v_case => axis0_v_case_d1(k), l => axis_l_d2, l_case => axis_l_case_d1,
-                p => p(k));
-  end generate p_unit;
-
-  -- Clock 45
-  clock_45 : process (clk)
-  begin
-    if rising_edge(clk) then
-      p_d1 <= p;
-    end if;
-  end process clock_45;
-  axis_separated_unit_has(0)(0) <= axis0_has_a1_at_1;
-  axis_separated_unit_has(0)(1) <= axis0_has_a2_at_1;
-  axis_separated_unit_has(1)(0) <= axis0_has_b1_at_1;
-  axis_separated_unit_has(1)(1) <= axis0_has_b2_at_1;
-  axis_separated_unit : entity work.comparator_network
-    port map (clk => clk, p => p_d1, has => axis_separated_unit_has, separated => axis_separated,
-              overlapping => axis_overlapping, above => axis0_above, below => axis0_below);
-
-  -- Clock 46
-  axis_outside_not <= not outside_h23;
-  axis_counts_separated <= axis_separated and axis_outside_not;
-  axis_counts_overlapping <= axis_overlapping and axis_outside_not;
-
-  -- Clock 57
-  pierced <= pierced_result and pierced_not_h34;
-  separate <= or_reduce(unsigned(separated_i));
-  all_overlap <= not or_reduce(not unsigned(overlapping_i));
-  pierced_result_unit : entity work.edge_test
-    port map (v_above => pierced_result_v_above, v_below => pierced_result_v_below, w_above => pierced_result_w_above,
-              w_below => pierced_result_w_below, edges_above => pierced_result_edges_above,
-              edges_below => pierced_result_edges_below, pierced => pierced_result);
-
-  -- Clock 58
-  surely <= all_overlap_h1 or pierced_h1;
-  verdict <= (verdict_and_second_not_first_h1 and not surely) & (verdict_and_first_not_h1 and surely);
+  verdict_unit_separated(0) <= separated0_h12;
+  verdict_unit_separated(1) <= separated1_h4;
+  verdict_unit_separated(2) <= separated2_h3;
+  verdict_unit_separated(3) <= separated3_h3;
+  verdict_unit_separated(4) <= separated4_h2;
+  verdict_unit_separated(5) <= separated5_h1;
+  verdict_unit_separated(6) <= separated6_h2;
+  verdict_unit_separated(7) <= separated7_h2;
+  verdict_unit_separated(8) <= separated8_h1;
+  verdict_unit_overlapping(0) <= overlapping0_h38;
+  verdict_unit_overlapping(1) <= overlapping1_h38;
+  verdict_unit_overlapping(2) <= overlapping2_h38;
+  verdict_unit_overlapping(3) <= overlapping3_h3;
+  verdict_unit_overlapping(4) <= overlapping4_h2;
+  verdict_unit_overlapping(5) <= overlapping5_h1;
+  verdict_unit_overlapping(6) <= overlapping6_h2;
+  verdict_unit_overlapping(7) <= overlapping7_h2;
+  verdict_unit_overlapping(8) <= overlapping8_h1;
+  verdict_unit : entity work.pair_verdict
+    port map (separated => verdict_unit_separated, overlapping => verdict_unit_overlapping, verdict => verdict);
 
   -- Selectors, set in the clock before their phase
   selectors : process (clk)
   begin
     if rising_edge(clk) then
-      if holds0_or_in_phase_10 = '1' then
-        row_t_pose_select_at_0 <= to_unsigned(row_t_pose_select_at_0_table(to_integer(known(phase))), 2);
-        row_diagonal_at_0(0) <= row_diagonal_at_0_0_table(to_integer(known(phase)));
-        row_diagonal_at_0(1) <= row_diagonal_at_0_1_table(to_integer(known(phase)));
-        row_diagonal_at_0(2) <= row_diagonal_at_0_2_table(to_integer(known(phase)));
-        row_x_select_at_0 <= to_unsigned(row_x_select_at_0_table(to_integer(known(phase))), 2);
+      if busy_2_or_busy_8_or_busy_26_or_busy_35 = '1' then
+        row_m_select_at_2 <= to_unsigned(row_m_select_at_2_table(to_integer(known(phase))), 2);
       end if;
-      if busy_10 = '1' then
-        lane_input_select_at_10 <= to_unsigned(lane_input_select_at_10_table(to_integer(known(phase))), 2);
+      if busy_3_or_busy_18_or_busy_27 = '1' then
+        row_m_select_at_0 <= to_unsigned(row_m_select_at_0_table(to_integer(known(phase))), 2);
       end if;
-      if busy_12 = '1' then
-        lane2_operand_select_tap_at_1 <= to_unsigned(lane2_operand_select_tap_at_1_table(to_integer(known(phase))), 4);
-        lane1_operand_select_tap_at_1 <= to_unsigned(lane1_operand_select_tap_at_1_table(to_integer(known(phase))), 4);
-        lane_from_input_at_1 <= lane_from_input_at_1_table(to_integer(known(phase)));
-        outside_found_word_and_second_select_at_1 <=
-            outside_found_word_and_second_select_at_1_table(to_integer(known(phase)));
+      if busy_13_or_busy_22_or_busy_34 = '1' then
+        row_m_select_at_1 <= to_unsigned(row_m_select_at_1_table(to_integer(known(phase))), 2);
       end if;
-      if busy_13 = '1' then
-        axis0_has_b2_at_2 <= axis0_has_b2_at_2_table(to_integer(known(phase)));
+      if busy_13_or_busy_25 = '1' then
+        lane1_select_at_1 <= lane1_select_at_1_table(to_integer(known(phase)));
+      end if;
+      if busy_21 = '1' then
+        too_great_0_so_far_select_at_0 <= too_great_0_so_far_select_at_0_table(to_integer(known(phase)));
+      end if;
+      if busy_26_or_busy_29 = '1' then
+        lane1_select_at_2 <= lane1_select_at_2_table(to_integer(known(phase)));
       end if;
       if busy_27 = '1' then
-        lane_edge_rounding_at_5 <= lane_edge_rounding_at_5_table(to_integer(known(phase)));
-      end if;
-      if busy_2 = '1' then
-        outside_found_word_and_first_select_at_2 <=
-            outside_found_word_and_first_select_at_2_table(to_integer(known(phase)));
-      end if;
-      if busy_11 = '1' then
-        axis0_has_b2_at_0 <= axis0_has_b2_at_0_table(to_integer(known(phase)));
-      end if;
-      if busy_32 = '1' then
-        axis_e_select_tap_at_10 <= to_unsigned(axis_e_select_tap_at_10_table(to_integer(known(phase))), 4);
-        axis_f_select_tap_at_10 <= to_unsigned(axis_f_select_tap_at_10_table(to_integer(known(phase))), 4);
-      end if;
-      if busy_40 = '1' then
-        axis0_v0_select_at_7 <= axis0_v0_select_at_7_table(to_integer(known(phase)));
-        axis0_v3_select_at_7 <= axis0_v3_select_at_7_table(to_integer(known(phase)));
-        axis0_v1_1_select_tap_at_7 <= to_unsigned(axis0_v1_1_select_tap_at_7_table(to_integer(known(phase))), 4);
-        axis0_v2_1_select_tap_at_7 <= to_unsigned(axis0_v2_1_select_tap_at_7_table(to_integer(known(phase))), 4);
-      end if;
-      if busy_45 = '1' then
-        axis0_has_a1_at_1 <= axis0_has_a1_at_1_table(to_integer(known(phase)));
-        axis0_has_a2_at_1 <= axis0_has_a2_at_1_table(to_integer(known(phase)));
-        axis0_has_b1_at_1 <= axis0_has_b1_at_1_table(to_integer(known(phase)));
-        axis0_has_b2_at_1 <= axis0_has_b2_at_1_table(to_integer(known(phase)));
+        lane1_select_at_0 <= lane1_select_at_0_table(to_integer(known(phase)));
       end if;
     end if;
   end process selectors;
@@ -672,144 +1458,471 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if strobe(9) = '1' then
-        in_v0_inside_h9 <= in_v0_inside;
-        magnitudes <= magnitude_so_far;
-        v1_h16 <= v1_h11;
-        pierced_result_v_above(0) <= axis0_above(0);
-        pierced_result_v_above(1) <= axis0_above(3);
-        pierced_result_v_above(2) <= axis0_above(5);
-        pierced_result_v_below(0) <= axis0_below(0);
-        pierced_result_v_below(1) <= axis0_below(3);
-        pierced_result_v_below(2) <= axis0_below(5);
-        separated_i(1) <= axis_counts_separated;
-        overlapping_i(1) <= axis_counts_overlapping;
-      end if;
-      if strobe(10) = '1' then
-        in_v1_h11 <= in_v(1);
-        in_v2_h11 <= in_v(2);
-        w1_case_h11 <= w_case(1);
-        pierced_result_edges_above(0)(2) <= axis0_above(1);
-        pierced_result_edges_below(0)(2) <= axis0_below(1);
-        separated_i(4) <= axis_counts_separated;
-        overlapping_i(4) <= axis_counts_overlapping;
-      end if;
       if strobe(0) = '1' then
-        in_v0_inside_h11 <= in_v0_inside;
-        outside_in_phases <= outside_so_far;
-        in_v0_outside_h11 <= in_v0_outside;
-        in_v0_outside_h22 <= in_v0_outside_h11;
-        pierced_result_edges_above(1)(2) <= axis0_above(4);
-        pierced_result_edges_below(1)(2) <= axis0_below(4);
-        outside_h11 <= outside_i;
-        outside_h22 <= outside_h11;
-        separated_i(7) <= axis_counts_separated;
-        overlapping_i(7) <= axis_counts_overlapping;
-        pierced_not_h11 <= not outside_i;
-        pierced_not_h22 <= pierced_not_h11;
-        pierced_not_h33 <= pierced_not_h22;
-        outside_h33 <= outside_h22;
-      end if;
-      if strobe(1) = '1' then
-        in_v0_inside_h12 <= in_v0_inside_h11;
-        pierced_result_edges_above(2)(2) <= axis0_above(4);
-        pierced_result_edges_below(2)(2) <= axis0_below(4);
-        outside_h23 <= outside_h22;
-        separated_i(10) <= axis_counts_separated;
-        overlapping_i(10) <= axis_counts_overlapping;
-        pierced_not_h34 <= pierced_not_h33;
-      end if;
-      if strobe(3) = '1' then
-        for i in 0 to 2 loop
-          v0_hi(i) <= scaled(i).hi;
+        for k in 0 to 2 loop
+          pose_t_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_t(k));
+          pose_m0_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(k));
+          pose_m1_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(k));
+          pose_m2_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(k));
         end loop;
-        v0_hi_h11 <= v0_hi;
-        pierced_result_edges_above(0)(0) <= axis0_above(0);
-        pierced_result_edges_below(0)(0) <= axis0_below(0);
-        separated_i(2) <= axis_counts_separated;
-        overlapping_i(2) <= axis_counts_overlapping;
-      end if;
-      if strobe(4) = '1' then
-        v1 <= scaled;
-        v1_h11 <= v1;
-        pierced_result_edges_above(1)(0) <= axis0_above(3);
-        pierced_result_edges_below(1)(0) <= axis0_below(3);
-        separated_i(5) <= axis_counts_separated;
-        overlapping_i(5) <= axis_counts_overlapping;
-      end if;
-      if strobe(6) = '1' then
-        v1_case <= scaled_case;
-        v0_hi_h14 <= v0_hi_h11;
-        v1_case_h11 <= v1_case;
-        w0_h10 <= w(0);
-        w0_case_h8 <= w_case(0);
-        pierced_result_edges_above(0)(1) <= axis0_above(1);
-        pierced_result_edges_below(0)(1) <= axis0_below(1);
-        separated_i(3) <= axis_counts_separated;
-        overlapping_i(3) <= axis_counts_overlapping;
-      end if;
-      for k in 0 to 1 loop
-        if strobe(k + 7) = '1' then
-          w(k) <= scaled;
-        end if;
-        if strobe(k + 9) = '1' then
-          w_case(k) <= scaled_case;
-        end if;
-      end loop;
-      if strobe(8) = '1' then
-        w1_h11 <= w(1);
-        pierced_result_edges_above(2)(1) <= axis0_above(4);
-        pierced_result_edges_below(2)(1) <= axis0_below(4);
-        separated_i(9) <= axis_counts_separated;
-        overlapping_i(9) <= axis_counts_overlapping;
+        in_w2_inside_h3 <= in_w2_inside;
+        moved_h2 <= moved;
+        moved_h5 <= moved_h2;
+        moved_h8 <= moved_h5;
+        in_w1_inside_h3 <= in_w1_inside;
+        pose_bypass_h7 <= pose_bypass_h6;
+        difference(3) <= row(0);
+        difference(4) <= row(1);
+        difference(5) <= row(2);
+        difference_v1_h3 <= difference_v1;
+        difference_v1_h6 <= difference_v1_h3;
+        difference_v1_h9 <= difference_v1_h6;
+        difference_v2_h3 <= difference_v2;
+        difference_v2_h6 <= difference_v2_h3;
+        difference_v2_h9 <= difference_v2_h6;
+        coordinate_cut(2) <= lane_shifted(0);
+        coordinate_cut(3) <= lane_shifted(1);
+        difference_w1_h3 <= difference_w1;
+        level_less_resized_first_h1 <= signed(resize(axis_level0_resized_less_choice, 4));
+        level_less_resized_second_h1 <= signed(resize(axis_level(2), 4));
+        level_less_h3 <= less(level_less_resized_first_h1, level_less_resized_second_h1);
+        axis_level0_resized_less_choice_h4 <= axis_level0_resized_less_choice_h3;
+        axis_level2_h4 <= axis_level2_h3;
+        moment_cut(8) <= moment_lane_cut(0);
+        moment_cut(9) <= moment_lane_cut(1);
+        moment_cut(10) <= moment_lane_cut(2);
+        moment_cut(11) <= moment_lane_cut(3);
+        places_captured <= too_great_0_so_far;
+        determinant_plane_a0 <= dot_lane(0);
+        dot_d1(2) <= dot_lane(3);
+        determinant_plane_b0 <= dot_lane(1);
+        determinant_side20 <= dot_lane(2);
+        coordinate_w1_h4 <= coordinate_w1_h3;
+        coordinate_w0_h4 <= coordinate_w0_h3;
+        coordinate_w2_h4 <= coordinate_w2_h3;
+        length_measure(0) <= norm_lane(0);
+        length_measure(1) <= norm_lane(1);
+        length_measure(8) <= norm_lane(2);
+        rest_aligned_second_h3 <= append(rest_of_level_aligned, 1);
+        rest_of_level_aligned_h3 <= rest_of_level_aligned;
+        length_measure0_h3 <= length_measure(0);
+        length_measure1_h3 <= length_measure(1);
+        length_measure8_h3 <= length_measure(8);
+        length_measure2_h2 <= length_measure(2);
+        length_measure3_h2 <= length_measure(3);
+        length_measure4_h2 <= length_measure(4);
+        length_measure5_h1 <= length_measure(5);
+        length_measure6_h1 <= length_measure(6);
+        length_measure7_h1 <= length_measure(7);
+        rest_h3 <= rest;
+        level_h3 <= level;
+        length_bound(0) <= length_first(0);
+        length_bound(1) <= length_first(1);
+        length_bound(2) <= length_first(2);
+        moment_bound(0) <= moment_first(0);
+        moment_bound(1) <= moment_first(1);
+        face_of_vertex1_h2(1) <= face_of_vertex(1)(1);
+        face_of_vertex1_h2(2) <= face_of_vertex(1)(2);
+        bound_side10_sum_h1 <= resize(resize(append(moment_bound(0), 1), 31) +
+            resize(bound_side10_sum_sum_aligned_second_h3, 31), 32) + resize(bound_of_a, 32);
+        bound_side10_result_h5 <= bound_side10_result_h3;
+        bound_side11_sum_h1 <= resize(bound_side11_sum_sum_h2, 32) + resize(bound_of_a, 32);
+        bound_side11_result_h5 <= bound_side11_result_h3;
+        bound_side12_sum_h1 <= resize(resize(append(moment_bound(2), 1), 31) +
+            resize(bound_side12_sum_sum_aligned_second_h3, 31), 32) + resize(bound_of_a, 32);
+        bound_side12_result_h5 <= bound_side12_result_h3;
+        face_of_vertex1_h3(0) <= face_of_vertex(1)(0);
+        compared0_h3 <= compared(0);
+        compared12_h3 <= compared(12);
+        compared3_h3 <= compared(3);
+        compared_bound0_h2 <= compared_bound(0);
+        compared_bound12_h2 <= compared_bound(12);
+        compared_bound13_h2 <= compared_bound(13);
+        sign(4) <= sign_lane(4);
+        sign(5) <= sign_lane(0);
+        sign(6) <= sign_lane(1);
+        sign(7) <= sign_lane(2);
+        sign(8) <= sign_lane(3);
+        compared_bound1_h1 <= compared_bound(1);
+        compared_bound2_h1 <= compared_bound(2);
+        for k in 0 to 8 loop
+          separated_not_h2(k) <= not outside_i;
+        end loop;
+        separated_not_h5 <= separated_not_h2;
+        separated_not_h8 <= separated_not_h5;
+        separated_not_h11 <= separated_not_h8;
+        separated_not_h14 <= separated_not_h11;
+        separated_not_h17 <= separated_not_h14;
+        separated_not_h20 <= separated_not_h17;
+        separated_not_h23 <= separated_not_h20;
+        separated_not_h26 <= separated_not_h23;
+        separated1_not_h29 <= separated_not_h26(1);
+        separated2_not_h29 <= separated_not_h26(2);
+        separated3_not_h29 <= separated_not_h26(3);
+        separated4_not_h29 <= separated_not_h26(4);
+        separated5_not_h29 <= separated_not_h26(5);
+        separated6_not_h29 <= separated_not_h26(6);
+        separated7_not_h29 <= separated_not_h26(7);
+        separated8_not_h29 <= separated_not_h26(8);
+        separated1_not_h32 <= separated1_not_h29;
+        separated2_not_h32 <= separated2_not_h29;
+        separated3_not_h32 <= separated3_not_h29;
+        separated4_not_h32 <= separated4_not_h29;
+        separated5_not_h32 <= separated5_not_h29;
+        separated6_not_h32 <= separated6_not_h29;
+        separated7_not_h32 <= separated7_not_h29;
+        separated8_not_h32 <= separated8_not_h29;
+        separated2_not_h35 <= separated2_not_h32;
+        separated3_not_h35 <= separated3_not_h32;
+        separated4_not_h35 <= separated4_not_h32;
+        separated5_not_h35 <= separated5_not_h32;
+        separated6_not_h35 <= separated6_not_h32;
+        separated7_not_h35 <= separated7_not_h32;
+        separated8_not_h35 <= separated8_not_h32;
+        overlapping3_not_h2 <= not outside_i;
+        overlapping4_not_h2 <= not outside_i;
+        overlapping5_not_h2 <= not outside_i;
+        overlapping6_not_h2 <= not outside_i;
+        overlapping7_not_h2 <= not outside_i;
+        overlapping8_not_h2 <= not outside_i;
+        overlapping3_not_h5 <= overlapping3_not_h2;
+        overlapping4_not_h5 <= overlapping4_not_h2;
+        overlapping5_not_h5 <= overlapping5_not_h2;
+        overlapping6_not_h5 <= overlapping6_not_h2;
+        overlapping7_not_h5 <= overlapping7_not_h2;
+        overlapping8_not_h5 <= overlapping8_not_h2;
+        overlapping3_not_h8 <= overlapping3_not_h5;
+        overlapping4_not_h8 <= overlapping4_not_h5;
+        overlapping5_not_h8 <= overlapping5_not_h5;
+        overlapping6_not_h8 <= overlapping6_not_h5;
+        overlapping7_not_h8 <= overlapping7_not_h5;
+        overlapping8_not_h8 <= overlapping8_not_h5;
+        overlapping3_not_h11 <= overlapping3_not_h8;
+        overlapping4_not_h11 <= overlapping4_not_h8;
+        overlapping5_not_h11 <= overlapping5_not_h8;
+        overlapping6_not_h11 <= overlapping6_not_h8;
+        overlapping7_not_h11 <= overlapping7_not_h8;
+        overlapping8_not_h11 <= overlapping8_not_h8;
+        overlapping3_not_h14 <= overlapping3_not_h11;
+        overlapping4_not_h14 <= overlapping4_not_h11;
+        overlapping5_not_h14 <= overlapping5_not_h11;
+        overlapping6_not_h14 <= overlapping6_not_h11;
+        overlapping7_not_h14 <= overlapping7_not_h11;
+        overlapping8_not_h14 <= overlapping8_not_h11;
+        overlapping3_not_h17 <= overlapping3_not_h14;
+        overlapping4_not_h17 <= overlapping4_not_h14;
+        overlapping5_not_h17 <= overlapping5_not_h14;
+        overlapping6_not_h17 <= overlapping6_not_h14;
+        overlapping7_not_h17 <= overlapping7_not_h14;
+        overlapping8_not_h17 <= overlapping8_not_h14;
+        overlapping3_not_h20 <= overlapping3_not_h17;
+        overlapping4_not_h20 <= overlapping4_not_h17;
+        overlapping5_not_h20 <= overlapping5_not_h17;
+        overlapping6_not_h20 <= overlapping6_not_h17;
+        overlapping7_not_h20 <= overlapping7_not_h17;
+        overlapping8_not_h20 <= overlapping8_not_h17;
+        overlapping3_not_h23 <= overlapping3_not_h20;
+        overlapping4_not_h23 <= overlapping4_not_h20;
+        overlapping5_not_h23 <= overlapping5_not_h20;
+        overlapping6_not_h23 <= overlapping6_not_h20;
+        overlapping7_not_h23 <= overlapping7_not_h20;
+        overlapping8_not_h23 <= overlapping8_not_h20;
+        overlapping3_not_h26 <= overlapping3_not_h23;
+        overlapping4_not_h26 <= overlapping4_not_h23;
+        overlapping5_not_h26 <= overlapping5_not_h23;
+        overlapping6_not_h26 <= overlapping6_not_h23;
+        overlapping7_not_h26 <= overlapping7_not_h23;
+        overlapping8_not_h26 <= overlapping8_not_h23;
+        overlapping3_not_h29 <= overlapping3_not_h26;
+        overlapping4_not_h29 <= overlapping4_not_h26;
+        overlapping5_not_h29 <= overlapping5_not_h26;
+        overlapping6_not_h29 <= overlapping6_not_h26;
+        overlapping7_not_h29 <= overlapping7_not_h26;
+        overlapping8_not_h29 <= overlapping8_not_h26;
+        overlapping3_not_h32 <= overlapping3_not_h29;
+        overlapping4_not_h32 <= overlapping4_not_h29;
+        overlapping5_not_h32 <= overlapping5_not_h29;
+        overlapping6_not_h32 <= overlapping6_not_h29;
+        overlapping7_not_h32 <= overlapping7_not_h29;
+        overlapping8_not_h32 <= overlapping8_not_h29;
+        overlapping3_not_h35 <= overlapping3_not_h32;
+        overlapping4_not_h35 <= overlapping4_not_h32;
+        overlapping5_not_h35 <= overlapping5_not_h32;
+        overlapping6_not_h35 <= overlapping6_not_h32;
+        overlapping7_not_h35 <= overlapping7_not_h32;
+        overlapping8_not_h35 <= overlapping8_not_h32;
+        separated5_h1 <= separated_i(5);
+        separated8_h1 <= separated_i(8);
+        separated1_h4 <= separated1_h3;
+        separated0_h12 <= separated0_h10;
+        separated2_h3 <= separated2_h2;
+        separated3_h3 <= separated3_h2;
+        separated4_h2 <= separated_i(4);
+        separated6_h2 <= separated6_h1;
+        separated7_h2 <= separated7_h1;
+        overlapping0_h2 <= overlapping_i(0);
+        overlapping1_h2 <= overlapping_i(1);
+        overlapping2_h2 <= overlapping_i(2);
+        overlapping4_h2 <= overlapping_i(4);
+        overlapping6_h2 <= overlapping6_h1;
+        overlapping7_h2 <= overlapping7_h1;
+        overlapping0_h5 <= overlapping0_h2;
+        overlapping1_h5 <= overlapping1_h2;
+        overlapping2_h5 <= overlapping2_h2;
+        overlapping0_h8 <= overlapping0_h5;
+        overlapping1_h8 <= overlapping1_h5;
+        overlapping2_h8 <= overlapping2_h5;
+        overlapping0_h11 <= overlapping0_h8;
+        overlapping1_h11 <= overlapping1_h8;
+        overlapping2_h11 <= overlapping2_h8;
+        overlapping0_h14 <= overlapping0_h11;
+        overlapping1_h14 <= overlapping1_h11;
+        overlapping2_h14 <= overlapping2_h11;
+        overlapping0_h17 <= overlapping0_h14;
+        overlapping1_h17 <= overlapping1_h14;
+        overlapping2_h17 <= overlapping2_h14;
+        overlapping0_h20 <= overlapping0_h17;
+        overlapping1_h20 <= overlapping1_h17;
+        overlapping2_h20 <= overlapping2_h17;
+        overlapping0_h23 <= overlapping0_h20;
+        overlapping1_h23 <= overlapping1_h20;
+        overlapping2_h23 <= overlapping2_h20;
+        overlapping0_h26 <= overlapping0_h23;
+        overlapping1_h26 <= overlapping1_h23;
+        overlapping2_h26 <= overlapping2_h23;
+        overlapping0_h29 <= overlapping0_h26;
+        overlapping1_h29 <= overlapping1_h26;
+        overlapping2_h29 <= overlapping2_h26;
+        overlapping0_h32 <= overlapping0_h29;
+        overlapping1_h32 <= overlapping1_h29;
+        overlapping2_h32 <= overlapping2_h29;
+        overlapping0_h35 <= overlapping0_h32;
+        overlapping1_h35 <= overlapping1_h32;
+        overlapping2_h35 <= overlapping2_h32;
+        overlapping0_h38 <= overlapping0_h35;
+        overlapping1_h38 <= overlapping1_h35;
+        overlapping2_h38 <= overlapping2_h35;
+        overlapping3_h3 <= overlapping3_h2;
+        overlapping5_h1 <= overlapping_i(5);
+        overlapping8_h1 <= overlapping_i(8);
+        outside_h2 <= outside_i;
+        outside_h5 <= outside_h2;
+        outside_h8 <= outside_h5;
+        outside_h11 <= outside_h8;
+        outside_h14 <= outside_h11;
+        outside_h17 <= outside_h14;
+        outside_h20 <= outside_h17;
+        outside_h23 <= outside_h20;
+        outside_h26 <= outside_h23;
+        outside_h29 <= outside_h26;
+        outside_h32 <= outside_h29;
+        outside_h35 <= outside_h32;
+        outside <= outside_h35;
       end if;
       if strobe(2) = '1' then
-        for k in 0 to 2 loop
-          pierced_result_w_above(k) <= axis0_above(k);
-          pierced_result_w_below(k) <= axis0_below(k);
+        pose_bypass_h3 <= pose_bypass;
+        pose_bypass_h6 <= pose_bypass_h3;
+        difference(0) <= row(0);
+        difference(1) <= row(1);
+        difference(2) <= row(2);
+        difference_w0_h3 <= difference_w0;
+        coordinate_cut(0) <= lane_shifted(0);
+        coordinate_cut(1) <= lane_shifted(1);
+        coordinate_cut0_h3 <= coordinate_cut(0);
+        coordinate_cut1_h3 <= coordinate_cut(1);
+        carried_h1 <= carried;
+        coordinate_cut2_h2 <= coordinate_cut(2);
+        coordinate_cut3_h2 <= coordinate_cut(3);
+        coordinate_cut4_h1 <= coordinate_cut(4);
+        taken_x_h1 <= taken_x;
+        taken_y_h1 <= taken_y;
+        taken_z_h1 <= taken_z;
+        axis_level0_resized_less_choice_h3 <= axis_level0_resized_less_choice;
+        axis_level2_h3 <= axis_level(2);
+        moment_cut(4) <= moment_lane_cut(0);
+        moment_cut(5) <= moment_lane_cut(1);
+        moment_cut(6) <= moment_lane_cut(2);
+        moment_cut(7) <= moment_lane_cut(3);
+        moment_m2 <= moment_lane(0);
+        moment_n <= moment_lane(1);
+        coordinate_w0_h3 <= coordinate_w0;
+        coordinate_w0_h6 <= coordinate_w0_h3;
+        coordinate_w1_h3 <= coordinate_w1;
+        coordinate_w1_h6 <= coordinate_w1_h3;
+        coordinate_w1_h9 <= coordinate_w1_h6;
+        determinant_side22 <= dot_lane(0);
+        coordinate_w0_h9 <= coordinate_w0_h6;
+        coordinate_w2_h3 <= coordinate_w2;
+        coordinate_w2_h6 <= coordinate_w2_h3;
+        coordinate_w2_h9 <= coordinate_w2_h6;
+        dot_d1(0) <= dot_lane(1);
+        dot_d1(1) <= dot_lane(2);
+        dot_d1_0_h3 <= dot_d1(0);
+        dot_d1_1_h3 <= dot_d1(1);
+        coordinate_v2_h1 <= coordinate_v2;
+        coordinate_v1_h1 <= coordinate_v1;
+        for i in 0 to 2 loop
+          norm_x0_resized_third_h3(i) <= resize(coordinate_w0(i), 19);
+          norm_x1_resized_third_h3(i) <= resize(coordinate_w1(i), 19);
         end loop;
-        separated_i(0) <= axis_counts_separated;
-        overlapping_i(0) <= axis_counts_overlapping;
-        all_overlap_h1 <= all_overlap;
-        pierced_h1 <= pierced;
-        verdict_and_first_not_h1 <= not separate;
-        verdict_and_second_not_first_h1 <= not separate;
-        separated0_h11 <= separated_i(0);
-        overlapping0_h11 <= overlapping_i(0);
-        outside <= outside_h33;
+        length_measure(5) <= norm_lane(0);
+        length_measure(6) <= norm_lane(1);
+        length_measure(7) <= norm_lane(2);
+        for i in 0 to 2 loop
+          norm_x2_resized_h3(i) <= resize(coordinate_w2(i), 19);
+        end loop;
+        length_bound(6) <= length_first(0);
+        length_bound(7) <= length_first(1);
+        length_bound(8) <= length_first(2);
+        norm_of_moment(2) <= moment_norm_lane(0);
+        norm_of_moment(3) <= moment_norm_lane(1);
+        bound_plane_a1_sum_second_h3 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(1)(1), 30);
+        bound_plane_a2_sum_second_h3 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(1)(2), 30);
+        bound_corner_aligned_h1 <= append(bound_all_m, 1);
+        bound_corner_sum_h3 <= bound_corner_sum_h2;
+        bound_all_m_h1 <= bound_all_m;
+        length_measure0_plane_a0_h4 <= length_measure0_plane_a0_h3;
+        bound_plane_b1_result_h4 <= bound_plane_b1_result_h3;
+        bound_plane_b2_result_h4 <= bound_plane_b2_result_h3;
+        bound_of_a_aligned_second_h3 <= append(length_bound(8), 1);
+        face_of_vertex0_h2(0) <= face_of_vertex(0)(0);
+        face_of_vertex1_h2(0) <= face_of_vertex(1)(0);
+        bound_side02_sum_second_h3 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex0_h2(0), 30);
+        bound_side11_sum_sum_h2 <= resize(append(moment_bound(1), 1), 31) + resize(append(length_bound(6), 1), 31);
+        bound_side12_sum_sum_aligned_second_h3 <= append(length_bound(7), 1);
+        bound_side22_sum_second_h3 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex1_h2(0), 30);
+        compared14_h3 <= compared(14);
+        compared10_h1 <= compared(10);
+        compared11_h1 <= compared(11);
+        compared9_h1 <= compared(9);
+        sign(0) <= sign_lane(0);
+        sign(1) <= sign_lane(1);
+        sign(2) <= sign_lane(2);
+        sign(3) <= sign_lane(3);
+        sign(14) <= sign_lane(4);
+        compared_bound6_h1 <= compared_bound(6);
+        compared_bound7_h1 <= compared_bound(7);
+        sign3_h3 <= sign(3);
+        sign2_h3 <= sign(2);
+        sign0_h3 <= sign(0);
+        separated1_not_h34 <= separated1_not_h32;
+        separated5_not_h37 <= separated5_not_h35;
+        separated8_not_h37 <= separated8_not_h35;
+        overlapping5_not_h37 <= overlapping5_not_h35;
+        overlapping8_not_h37 <= overlapping8_not_h35;
+        separated6_h1 <= separated_i(6);
+        separated7_h1 <= separated_i(7);
+        separated1_h3 <= separated_i(1);
+        separated2_h2 <= separated_i(2);
+        separated3_h2 <= separated_i(3);
+        overlapping3_h2 <= overlapping_i(3);
+        overlapping6_h1 <= overlapping_i(6);
+        overlapping7_h1 <= overlapping_i(7);
       end if;
-      if strobe(7) = '1' then
-        pierced_result_edges_above(1)(1) <= axis0_above(4);
-        pierced_result_edges_below(1)(1) <= axis0_below(4);
-        separated_i(6) <= axis_counts_separated;
-        overlapping_i(6) <= axis_counts_overlapping;
+      if strobe(1) = '1' then
+        difference(6) <= row(0);
+        difference(7) <= row(1);
+        difference(8) <= row(2);
+        difference_v1_h10 <= difference_v1_h9;
+        difference_v2_h10 <= difference_v2_h9;
+        difference_w2_h3 <= difference_w2;
+        shift_h1 <= shift;
+        coordinate_cut(4) <= lane_shifted(0);
+        coordinate_cut0_h5 <= coordinate_cut0_h3;
+        coordinate_cut1_h5 <= coordinate_cut1_h3;
+        carried_h3 <= carried_h1;
+        shift_h4 <= shift_h1;
+        moment_cut(0) <= moment_lane_cut(0);
+        moment_cut(1) <= moment_lane_cut(1);
+        moment_cut(2) <= moment_lane_cut(2);
+        moment_cut(3) <= moment_lane_cut(3);
+        moment_m0 <= moment_lane(0);
+        moment_m1 <= moment_lane(1);
+        coordinate_v2_h3 <= coordinate_v2;
+        coordinate_v2_h6 <= coordinate_v2_h3;
+        determinant_plane_a1 <= dot_lane(0);
+        coordinate_v1_h3 <= coordinate_v1;
+        coordinate_v1_h6 <= coordinate_v1_h3;
+        determinant_plane_a2 <= dot_lane(1);
+        determinant_side21 <= dot_lane(3);
+        length_measure(2) <= norm_lane(0);
+        length_measure(3) <= norm_lane(1);
+        length_measure(4) <= norm_lane(2);
+        level_h4 <= level_h3;
+        length_bound(3) <= length_first(0);
+        length_bound(4) <= length_first(1);
+        length_bound(5) <= length_first(2);
+        norm_of_moment(0) <= moment_norm_lane(0);
+        norm_of_moment(1) <= moment_norm_lane(1);
+        moment_bound(2) <= moment_first(0);
+        moment_bound(3) <= moment_first(1);
+        length_measure0_plane_a0_h3 <= length_measure0_plane_a0;
+        bound_plane_a0_sum_second_h3 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(1)(0), 30);
+        bound_plane_a1_sum_first_result_h3 <= bound_plane_a1_sum_first_result;
+        bound_plane_a2_sum_first_result_h3 <= bound_plane_a2_sum_first_result;
+        bound_corner_sum_h2 <= resize(resize(length_bound(5), 30) + resize(length_bound(6), 30), 31) +
+            resize(length_bound(7), 31);
+        bound_plane_b1_result_h3 <= bound_plane_b1_result;
+        bound_plane_b2_result_h3 <= bound_plane_b2_result;
+        length_measure0_ends0_h3 <= length_measure0_ends0;
+        bound_side10_sum_sum_aligned_second_h3 <= append(length_bound(5), 1);
+        bound_side10_result_h3 <= bound_side10_result;
+        bound_side11_result_h3 <= bound_side11_result;
+        bound_side12_result_h3 <= bound_side12_result;
+        length_measure0_ends1_h3 <= length_measure0_ends1;
+        compared13_h3 <= compared(13);
+        compared_bound5_h2 <= compared_bound(5);
+        compared_bound8_h2 <= compared_bound(8);
+        compared_bound4_h2 <= compared_bound(4);
+        compared_bound14_h2 <= compared_bound(14);
+        sign(9) <= sign_lane(4);
+        sign(10) <= sign_lane(0);
+        sign(11) <= sign_lane(1);
+        sign(12) <= sign_lane(2);
+        sign(13) <= sign_lane(3);
+        separated4_not_h36 <= separated4_not_h35;
+        separated6_not_h36 <= separated6_not_h35;
+        separated7_not_h36 <= separated7_not_h35;
+        overlapping4_not_h36 <= overlapping4_not_h35;
+        overlapping6_not_h36 <= overlapping6_not_h35;
+        overlapping7_not_h36 <= overlapping7_not_h35;
+        separated0_h1 <= separated_i(0);
+        separated0_h4 <= separated0_h1;
+        separated0_h7 <= separated0_h4;
+        separated0_h10 <= separated0_h7;
       end if;
-      if strobe(5) = '1' then
-        pierced_result_edges_above(2)(0) <= axis0_above(3);
-        pierced_result_edges_below(2)(0) <= axis0_below(3);
-        separated_i(8) <= axis_counts_separated;
-        overlapping_i(8) <= axis_counts_overlapping;
-      end if;
-      if in_phase_8 = '1' then
-        busy_10 <= holds(0);
-        busy_32 <= holds(2);
-      end if;
-      if in_phase_10 = '1' then
-        busy_12 <= holds(0);
-        busy_45 <= holds(3);
-      end if;
+      for k in 0 to 1 loop
+        if strobe(1) = '1' then
+          face_of_vertex_h1(k)(0) <= face_of_vertex(k)(0);
+        end if;
+        if strobe(2) = '1' then
+          face_of_vertex_h1(k)(1) <= face_of_vertex(k)(1);
+          face_of_vertex_h1(k)(2) <= face_of_vertex(k)(2);
+        end if;
+      end loop;
+      for k in 0 to 2 loop
+        if strobe((k + 1) mod 3) = '1' then
+          boxes_apart_along(k) <= boxes_lane;
+        end if;
+      end loop;
       if in_phase_0 = '1' then
-        busy_13 <= holds(1);
         busy_2 <= holds(0);
+        busy_8 <= holds(2);
+        busy_26 <= holds(8);
+        busy_35 <= holds(11);
+        busy_29 <= holds(9);
       end if;
-      if in_phase_3 = '1' then
-        busy_27 <= holds(2);
+      if in_phase_1 = '1' then
+        busy_3 <= holds(0);
+        busy_18 <= holds(5);
+        busy_27 <= holds(8);
+        busy_21 <= holds(6);
       end if;
-      if in_phase_9 = '1' then
-        busy_11 <= holds(0);
-      end if;
-      if in_phase_5 = '1' then
-        busy_40 <= holds(3);
+      if in_phase_2 = '1' then
+        busy_13 <= holds(3);
+        busy_22 <= holds(6);
+        busy_34 <= holds(10);
+        busy_25 <= holds(7);
       end if;
     end if;
   end process captures;
@@ -818,12 +1931,8 @@ begin
   delays : process (clk)
   begin
     if rising_edge(clk) then
-      pose_bypass_line <= pose_bypass & pose_bypass_line(1 to 2);
-      offset_line <= offset_d1 & offset_line(1 to 9);
-      outside_found_word_and_first_line <= (or_reduce(unsigned(row0_x_outside) & unsigned(row0_m_outside) &
-          row0_t_outside) and outside_found_word_and_first_select_at_2) & outside_found_word_and_first_line(1 to 9);
-      scaled_line <= scaled_d2 & scaled_line(1 to 5);
-      scaled_case_line <= scaled_case & scaled_case_line(1 to 5);
+      row_same_line <= row_same & row_same_line(1 to 3);
+      level_h4_line <= level_h4_d1 & level_h4_line(1 to 2);
     end if;
   end process delays;
 
@@ -831,42 +1940,31 @@ begin
   state : process (clk)
   begin
     if rising_edge(clk) then
-      if axis0_has_b2_at_2 = '1' then
-        for i in 0 to 2 loop
-          magnitude_so_far_before(i) <= to_unsigned(0, 32);
-        end loop;
+      if too_great_0_so_far_select_at_0 = '1' then
+        too_great_0_so_far_before <= '0';
       else
-        magnitude_so_far_before <= magnitude_so_far;
-      end if;
-      if axis0_has_b2_at_0 = '1' then
-        outside_so_far_before <= '0';
-      else
-        outside_so_far_before <= outside_so_far;
+        too_great_0_so_far_before <= too_great_0_so_far;
       end if;
     end if;
   end process state;
 
   -- Outputs
-  separated(0) <= separated0_h11;
-  separated(1) <= separated_i(1);
-  separated(2) <= separated_i(2);
-  separated(3) <= separated_i(3);
-  separated(4) <= separated_i(4);
-  separated(5) <= separated_i(5);
-  separated(6) <= separated_i(6);
-  separated(7) <= separated_i(7);
-  separated(8) <= separated_i(8);
-  separated(9) <= separated_i(9);
-  separated(10) <= separated_i(10);
-  overlapping(0) <= overlapping0_h11;
-  overlapping(1) <= overlapping_i(1);
-  overlapping(2) <= overlapping_i(2);
-  overlapping(3) <= overlapping_i(3);
-  overlapping(4) <= overlapping_i(4);
-  overlapping(5) <= overlapping_i(5);
-  overlapping(6) <= overlapping_i(6);
-  overlapping(7) <= overlapping_i(7);
-  overlapping(8) <= overlapping_i(8);
-  overlapping(9) <= overlapping_i(9);
-  overlapping(10) <= overlapping_i(10);
+  separated(0) <= separated0_h12;
+  separated(1) <= separated1_h4;
+  separated(2) <= separated2_h3;
+  separated(3) <= separated3_h3;
+  separated(4) <= separated4_h2;
+  separated(5) <= separated5_h1;
+  separated(6) <= separated6_h2;
+  separated(7) <= separated7_h2;
+  separated(8) <= separated8_h1;
+  overlapping(0) <= overlapping0_h38;
+  overlapping(1) <= overlapping1_h38;
+  overlapping(2) <= overlapping2_h38;
+  overlapping(3) <= overlapping3_h3;
+  overlapping(4) <= overlapping4_h2;
+  overlapping(5) <= overlapping5_h1;
+  overlapping(6) <= overlapping6_h2;
+  overlapping(7) <= overlapping7_h2;
+  overlapping(8) <= overlapping8_h1;
 end architecture rtl;

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Phases of the slot, handshakes and FIFO pointers. A pair is accepted in the last phase of a slot if a place
 -- in the result FIFO is free; the data path itself never stops.
@@ -14,41 +15,42 @@ entity sequencer is
     in_valid       : in  std_logic;
     pose_valid     : in  std_logic;
     out_ready      : in  std_logic;
-    phase          : out unsigned(3 downto 0);
-    holds          : out std_logic_vector(5 downto 0);
+    phase          : out unsigned(1 downto 0);
+    holds          : out std_logic_vector(13 downto 0);
     in_ready       : out std_logic;
     accept         : out std_logic;
     decide         : out std_logic;
     out_valid      : out std_logic;
     take           : out std_logic;
-    accept_address : out unsigned(3 downto 0);
-    decide_address : out unsigned(3 downto 0);
-    take_address   : out unsigned(3 downto 0);
+    accept_address : out unsigned(4 downto 0);
+    decide_address : out unsigned(4 downto 0);
+    take_address   : out unsigned(4 downto 0);
+    pose_load      : out std_logic;  -- last phase, and a pose is pending
     pose_ready     : out std_logic;
     pose_accept    : out std_logic
   );
 end entity sequencer;
 
 architecture rtl of sequencer is
-  constant phase_entry_table : numbers_t(0 to 15) := (1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0, others => 0);
+  constant phase_entry_table : numbers_t(0 to 3) := (1, 2, 0, others => 0);
   signal running : std_logic := '0';  -- clear in reset and in the first clock after: nothing is accepted
-  signal phase_i : unsigned(3 downto 0) := (others => '0');
-  signal last_phase : std_logic := '0';  -- set in phase 10
-  signal accepted : unsigned(4 downto 0) := (others => '0');
-  signal accepted_ahead : unsigned(4 downto 0) := to_unsigned(1, 5);
+  signal phase_i : unsigned(1 downto 0) := (others => '0');
+  signal last_phase : std_logic := '0';  -- set in phase 2
+  signal accepted : unsigned(5 downto 0) := (others => '0');
+  signal accepted_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
   signal accepted_moved : std_logic := '0';
-  signal taken : unsigned(4 downto 0) := (others => '0');
-  signal taken_ahead : unsigned(4 downto 0) := to_unsigned(1, 5);
+  signal taken : unsigned(5 downto 0) := (others => '0');
+  signal taken_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
   signal taken_moved : std_logic := '0';
-  signal decided : unsigned(4 downto 0) := (others => '0');
-  signal taken_turned : unsigned(4 downto 0);
+  signal decided : unsigned(5 downto 0) := (others => '0');
+  signal taken_turned : unsigned(5 downto 0);
   signal full_if_moved : std_logic := '0';
   signal full_if_still : std_logic := '0';
   signal full : std_logic;
   signal accepts : std_logic;
   signal accept_pair : std_logic;
-  signal holds_i : std_logic_vector(5 downto 0) := (others => '0');
-  signal decide_phase : std_logic := '0';  -- set in phase 3
+  signal holds_i : std_logic_vector(13 downto 0) := (others => '0');
+  signal decide_phase : std_logic := '0';  -- set in phase 1
   signal decide_pair : std_logic;
   signal empty_if_moved : std_logic := '1';
   signal empty_if_still : std_logic := '1';
@@ -56,21 +58,26 @@ architecture rtl of sequencer is
   signal offered : std_logic := '0';
   signal output_free : std_logic;
   signal take_pair : std_logic;
-  signal pose_phase : std_logic := '0';  -- set in phase 9
+  signal pose_pending : std_logic := '0';
+  signal load_pose : std_logic := '0';  -- last phase, and a pose is pending
   signal takes_pose : std_logic;
+  signal pose_waits : std_logic;
+  signal pose_pending_next : std_logic;
 begin
-  taken_turned <= taken + 16;
+  taken_turned <= taken + 32;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
   accepts <= running and last_phase and not full;
   accept_pair <= in_valid and accepts;
-  decide_pair <= holds_i(5) and decide_phase;
+  decide_pair <= holds_i(13) and decide_phase;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
   take_pair <= not empty and output_free;
-  takes_pose <= running and pose_phase;
-  accept_address <= accepted(3 downto 0);
-  decide_address <= decided(3 downto 0);
-  take_address <= taken(3 downto 0);
+  takes_pose <= running and not pose_pending;
+  pose_waits <= pose_pending and not load_pose;
+  pose_pending_next <= pose_waits or (pose_valid and takes_pose);
+  accept_address <= accepted(4 downto 0);
+  decide_address <= decided(4 downto 0);
+  take_address <= taken(4 downto 0);
   pose_accept <= pose_valid and takes_pose;
 
   -- State
@@ -79,7 +86,7 @@ begin
     if rising_edge(clk) then
       if reset = '1' then
         running <= '0';
-        phase_i <= to_unsigned(0, 4);
+        phase_i <= to_unsigned(0, 2);
         last_phase <= '0';
         accepted_moved <= '0';
         taken_moved <= '0';
@@ -89,46 +96,48 @@ begin
         empty_if_moved <= '1';
         empty_if_still <= '1';
         offered <= '0';
-        pose_phase <= '0';
+        pose_pending <= '0';
+        load_pose <= '0';
       else
         running <= '1';
-        phase_i <= to_unsigned(phase_entry_table(to_integer(known(phase_i))), 4);
-        last_phase <= flag(known(phase_i) = 9);
+        phase_i <= to_unsigned(phase_entry_table(to_integer(known(phase_i))), 2);
+        last_phase <= flag(known(phase_i) = 1);
         accepted_moved <= accept_pair;
         taken_moved <= take_pair;
         full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
         full_if_still <= flag(known(accepted) = known(taken_turned));
-        decide_phase <= flag(known(phase_i) = 2);
+        decide_phase <= flag(known(phase_i) = 0);
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
-        pose_phase <= flag(known(phase_i) = 8);
+        pose_pending <= pose_pending_next;
+        load_pose <= pose_pending_next and flag(known(phase_i) = 1);
       end if;
       if reset = '1' then
-        accepted <= to_unsigned(0, 5);
-        accepted_ahead <= to_unsigned(1, 5);
+        accepted <= to_unsigned(0, 6);
+        accepted_ahead <= to_unsigned(1, 6);
       elsif accept_pair = '1' then
         accepted <= accepted_ahead;
         accepted_ahead <= accepted_ahead + 1;
       end if;
       if reset = '1' then
-        taken <= to_unsigned(0, 5);
-        taken_ahead <= to_unsigned(1, 5);
+        taken <= to_unsigned(0, 6);
+        taken_ahead <= to_unsigned(1, 6);
       elsif take_pair = '1' then
         taken <= taken_ahead;
         taken_ahead <= taken_ahead + 1;
       end if;
       if reset = '1' then
-        decided <= to_unsigned(0, 5);
+        decided <= to_unsigned(0, 6);
       elsif decide_pair = '1' then
         decided <= decided + 1;
       end if;
       if reset = '1' then
-        for k in 0 to 5 loop
+        for k in 0 to 13 loop
           holds_i(k) <= '0';
         end loop;
       elsif last_phase = '1' then
-        holds_i <= holds_i(4 downto 0) & accept_pair;
+        holds_i <= holds_i(12 downto 0) & accept_pair;
       end if;
     end if;
   end process state;
@@ -141,5 +150,6 @@ begin
   decide <= decide_pair;
   out_valid <= offered;
   take <= take_pair;
+  pose_load <= load_pose;
   pose_ready <= takes_pose;
 end architecture rtl;

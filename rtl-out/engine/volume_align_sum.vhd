@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- x 2^e / 2^11, rounded down: a barrel shifter, bit i of the exponent shifts by 2^i.
 -- Combinational.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- A direction h of A: all points of B's child are below B + U, those of A's child above -V. apart(p) is set where
 -- B + U + V < 0 for child p of A.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- One component of D, where the origin of B's block is from the origin of A's, in A's frame:
 --   d = floor(m . o_b) + t - o_a

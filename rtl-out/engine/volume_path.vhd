@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The data path of an expansion: D, then in each direction h of A the bound of D, B's codes through the row of h, A's
 -- code of the opposite direction, and the test. Units are shared over the phases of the slot. A value captured for the

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The sum of a row: l0 b[j0] + l1 b[j1] + l2 b[j2] + rest, exact. Added to it is what makes a ceiling of the floor
 -- that follows.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- b[j]: the code that a term of a row reads, one of those of its slot: a tree of choices between two, bit i of the
 -- choice in stage i.

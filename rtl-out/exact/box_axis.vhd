@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The ranges of A and B along a coordinate; V_0 is 0. apart: one is wholly below the other. nearly_apart: they have at
 -- most one end in common, and are not one number both. with_0: 0 is in that of B. sides_a, sides_b: v_1 and v_2, or

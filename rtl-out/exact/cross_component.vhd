@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- One component of a cross product, c = x y - x' y', exact.
 -- Latency: 1 clock.

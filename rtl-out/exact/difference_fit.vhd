@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- A difference in 18 bits. One beyond +-131071 is flagged, and 0 goes on.
 -- Combinational.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The dot product x . m, exact. m has 2^17 added to each digit of 18 bits but the highest; less that, a digit is a
 -- factor with a sign of its own. Three multipliers for each digit, whose products are added at their places.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The sign of a number: (0) it is positive, (1) it is negative.
 -- Combinational.

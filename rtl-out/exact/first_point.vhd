@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The first of three points that is not 0, or the last of them.
 -- Latency: 1 clock.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- A meets the plane of B in a segment, which ends on the edges of A whose ends are on different sides of the plane, or
 -- one end on it. Whether some end is on the inner side of edge l of B: edge k passes the plane upward and side(k, l) is

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The first coordinate in which some moment is not 0, which is left out; 3 if there is none.
 -- Combinational.

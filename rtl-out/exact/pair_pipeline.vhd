@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The data path of one pair: differences from V0, moments, fifteen determinants, the rule for pairs in one plane,
 -- verdict; nothing is rounded. Units are shared over the phases of the slot. A value captured for the pair is named

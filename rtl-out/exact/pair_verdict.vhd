@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The verdict (sections 4 and 6 of docs/exact.md): of a pair in one plane by the rule for those, else intersect if an
 -- edge hits. crosses: the relative interiors meet, as an edge pierces, or as each triangle has corners on both sides of

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The coordinates of a point in the plane without coordinate c: those after it, in turn.
 -- Combinational.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- An edge of a triangle, the sides of it on which the other's corners are, and the sign of its own triangle's area.
 -- It parts the pair if all corners are on the outer side; nearly, if some are on its line, but not everything is.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Pairs in one plane (section 5 of docs/exact.md). In a plane: separate if an edge parts the pair or the boxes are apart. On
 -- one line (u = 0): if the boxes are apart. On two lines: if B does not have V_0, where they meet.

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Decides one axis by comparing every point of A with every point of B (equations 3 and 6):
 --   above: b_lo > a_hi; below: a_lo > b_hi

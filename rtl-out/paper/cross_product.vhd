@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- One separating axis, l = e x f in interval arithmetic (equation 1).
 -- Component i is e_j f_k - e_k f_j, exact, then rounded outward once.

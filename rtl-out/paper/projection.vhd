@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Projection of one point on the axis, p = v . l in interval arithmetic (equation 2).
 -- (v_x l_x + v_y l_y) + v_z l_z, exact, then rounded outward once.

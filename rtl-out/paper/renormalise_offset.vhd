@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- Re-normalisation, first step: the point relative to the lower bound of V0, exact (subtracting a constant, not an
 -- interval, widens nothing).

@@ -1,3 +1,4 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- One row of the frame transform, b = m . x + t (section 3 of the contract), exact, then rounded outward once.
 -- With bypass m and t are exact and nothing is rounded.

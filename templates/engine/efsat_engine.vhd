@@ -102,6 +102,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal blocks_taken : std_logic;
   signal block_a : std_logic_vector(block_bits - 1 downto 0);
   signal block_b : std_logic_vector(block_bits - 1 downto 0);
+  signal volume_valid : std_logic;
   signal volume_ready : std_logic;
   signal take_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal take_a : std_logic_vector(1 downto 0);
@@ -185,7 +186,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal expanded_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal tests : std_logic_vector(2 downto 0);
   signal tested_lane : std_logic_vector(lane_bits - 1 downto 0);
-  signal survived : std_logic_vector(1 downto 0);
+  signal survived : std_logic_vector(2 downto 0);
   signal survived_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal paired : std_logic;
   signal waiting : std_logic;
@@ -426,7 +427,9 @@ begin
       survived_lane => survived_lane,
       greatest_stack => greatest_stack
     );
-  blocks_taken <= blocks_valid and volume_ready;
+  -- While a job is stored, the words of a query are not read.
+  volume_valid <= blocks_valid and not job_taken;
+  blocks_taken <= volume_valid and volume_ready;
 
   volume : entity work.{{ prefix }}volume_unit
     port map (
@@ -436,7 +439,7 @@ begin
       query_shift => query_shift,
       query_errors => query_errors,
       query_rows => query_rows,
-      in_valid => blocks_valid,
+      in_valid => volume_valid,
       in_ready => volume_ready,
       in_block_a => block_a,
       in_block_b => block_b,

@@ -52,7 +52,7 @@ entity {{ prefix }}engine_answer is
     expanded_lane : in std_logic_vector(lane_bits - 1 downto 0);
     tested : in std_logic_vector(2 downto 0);
     tested_lane : in std_logic_vector(lane_bits - 1 downto 0);
-    survived : in std_logic_vector(1 downto 0);
+    survived : in std_logic_vector(2 downto 0);
     survived_lane : in std_logic_vector(lane_bits - 1 downto 0);
     paired : in std_logic;
     paired_lane : in std_logic_vector(lane_bits - 1 downto 0);

@@ -3,7 +3,9 @@
 {% endfor -%}
 --
 -- The words of the queries in flight, in look-up tables: written once, when a job is taken, and read by the lane of whoever
--- works on a query. The pose of a job that has no query is kept here, too.
+-- works on a query. The pose of a job that has no query is kept here, too. Each reader has a memory of its own, with as many
+-- rows as a look-up table has: of a memory with a row for each lane tools make flip-flops. Where a clock without a reader costs
+-- nothing, memory is read and written at one place: the words for control and the volume unit mean nothing while store is set.
 --
 -- The matrix for the origins of blocks is s1.17, cut off and saturated to +-(2^17 - 1); the shift is s4.22, cut off.
 --------------------------------------------------------------------------------
@@ -22,7 +24,7 @@ entity {{ prefix }}engine_queries is
     job_query : in std_logic;
     retire : in std_logic;  -- the oldest is done
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
-    -- The first words of a query, for control.
+    -- The first words of a query, for control, which reads none while it takes a job.
     checked_lane : in std_logic_vector(lane_bits - 1 downto 0);
     checked : out std_logic_vector(head_bits - 1 downto 0);
     -- Where the blocks are that the traversal asks for, and how many blocks and triangles there are where it reads links.
@@ -34,7 +36,7 @@ entity {{ prefix }}engine_queries is
     block_count_b : out std_logic_vector(31 downto 0);
     triangle_count_a : out std_logic_vector(31 downto 0);
     triangle_count_b : out std_logic_vector(31 downto 0);
-    -- What the volume unit knows.
+    -- What the volume unit knows; not while a job is stored.
     volume_lane : in std_logic_vector(lane_bits - 1 downto 0);
     query_pose : out std_logic_vector(query_pose_bits - 1 downto 0);
     query_shift : out std_logic_vector(query_shift_bits - 1 downto 0);
@@ -53,32 +55,40 @@ entity {{ prefix }}engine_queries is
 end entity {{ prefix }}engine_queries;
 
 architecture rtl of {{ prefix }}engine_queries is
-  type heads is array (0 to lanes - 1) of std_logic_vector(head_bits - 1 downto 0);
+  constant last : natural := 15;  -- row
+  type heads is array (0 to last) of std_logic_vector(head_bits - 1 downto 0);
   signal head : heads := (others => (others => '0'));
-  signal requested : std_logic_vector(head_bits - 1 downto 0);
-  signal listed : std_logic_vector(head_bits - 1 downto 0);
-  signal asked : std_logic_vector(head_bits - 1 downto 0);
-  signal answered : std_logic_vector(head_bits - 1 downto 0);
-  signal options : std_logic_vector(63 downto 0);
+  type bases is array (0 to last) of std_logic_vector(63 downto 0);
+  signal block_bases : bases := (others => (others => '0'));
+  signal triangle_bases : bases := (others => (others => '0'));
+  signal head_row : std_logic_vector(lane_bits - 1 downto 0);
+  signal volume_row : std_logic_vector(lane_bits - 1 downto 0);
+  signal requested : std_logic_vector(63 downto 0);
+  signal asked : std_logic_vector(63 downto 0);
+  type counts is array (0 to last) of std_logic_vector(127 downto 0);
+  signal object_counts : counts := (others => (others => '0'));
+  signal listed : std_logic_vector(127 downto 0);
   signal new_options : std_logic_vector(63 downto 0);
-  type pose_words is array (0 to lanes - 1) of std_logic_vector(pose_bits - 1 downto 0);
+  type pose_words is array (0 to last) of std_logic_vector(pose_bits - 1 downto 0);
   signal pose_memory : pose_words := (others => (others => '0'));
   type words is array (0 to 8) of std_logic_vector({{ e.query.entry }});
   signal entry : words;
   type entries_cut is array (0 to 8) of std_logic_vector({{ e.query.origin }});
   signal saturated : entries_cut;
-  type poses is array (0 to lanes - 1) of std_logic_vector(query_pose_bits - 1 downto 0);
+  type poses is array (0 to last) of std_logic_vector(query_pose_bits - 1 downto 0);
   signal matrix : poses := (others => (others => '0'));
   signal new_matrix : std_logic_vector(query_pose_bits - 1 downto 0);
-  type shifts is array (0 to lanes - 1) of std_logic_vector(query_shift_bits - 1 downto 0);
+  type shifts is array (0 to last) of std_logic_vector(query_shift_bits - 1 downto 0);
   signal shift : shifts := (others => (others => '0'));
   signal new_shift : std_logic_vector(query_shift_bits - 1 downto 0);
-  type errors is array (0 to lanes - 1) of std_logic_vector(query_errors_bits - 1 downto 0);
+  type errors is array (0 to last) of std_logic_vector(query_errors_bits - 1 downto 0);
   signal shift_error : errors := (others => (others => '0'));
-  type rows is array (0 to lanes - 1) of std_logic_vector(query_rows_bits - 1 downto 0);
+  type rows is array (0 to last) of std_logic_vector(query_rows_bits - 1 downto 0);
   signal row : rows := (others => (others => '0'));
   signal new_rows : std_logic_vector(query_rows_bits - 1 downto 0);
   signal leaves : std_logic_vector(lanes - 1 downto 0) := (others => '0');
+  signal contact : std_logic_vector(lanes - 1 downto 0) := (others => '0');
+  signal separate : std_logic_vector(lanes - 1 downto 0) := (others => '0');
 begin
   -- Entries of the matrix: cut off and saturated.
 {%- for name in e.query.entries %}
@@ -112,12 +122,16 @@ begin
   begin
     if rising_edge(clk) then
       if store = '1' then
-        head(to_integer(unsigned(store_lane))) <= job_words(head_bits - 1 downto 0);
+        head(to_integer(unsigned(head_row))) <= job_words(head_bits - 1 downto 0);
+        block_bases(to_integer(unsigned(store_lane))) <= job_words(job_blocks_b) & job_words(job_blocks_a);
+        triangle_bases(to_integer(unsigned(store_lane))) <= job_words(job_triangles_b) & job_words(job_triangles_a);
+        object_counts(to_integer(unsigned(store_lane))) <= job_words(job_triangle_count_b) & job_words(job_triangle_count_a)
+          & job_words(job_block_count_b) & job_words(job_block_count_a);
         pose_memory(to_integer(unsigned(store_lane))) <= job_words(job_pose);
-        matrix(to_integer(unsigned(store_lane))) <= new_matrix;
-        shift(to_integer(unsigned(store_lane))) <= new_shift;
-        shift_error(to_integer(unsigned(store_lane))) <= job_words(job_errors);
-        row(to_integer(unsigned(store_lane))) <= new_rows;
+        matrix(to_integer(unsigned(volume_row))) <= new_matrix;
+        shift(to_integer(unsigned(volume_row))) <= new_shift;
+        shift_error(to_integer(unsigned(volume_row))) <= job_words(job_errors);
+        row(to_integer(unsigned(volume_row))) <= new_rows;
       end if;
       for lane in 0 to lanes - 1 loop
         if retire = '1' and unsigned(oldest) = lane then
@@ -125,6 +139,8 @@ begin
         end if;
         if store = '1' and unsigned(store_lane) = lane then
           leaves(lane) <= new_options(option_leaves) and job_query;
+          contact(lane) <= new_options(option_contact);
+          separate(lane) <= new_options(option_separate);
         end if;
       end loop;
       if reset = '1' then
@@ -133,26 +149,26 @@ begin
     end if;
   end process keep;
 
-  checked <= head(to_integer(unsigned(checked_lane)));
-  requested <= head(to_integer(unsigned(request_lane)));
-  block_base_a <= requested(job_blocks_a);
-  block_base_b <= requested(job_blocks_b);
-  listed <= head(to_integer(unsigned(listed_lane)));
-  block_count_a <= listed(job_block_count_a);
-  block_count_b <= listed(job_block_count_b);
-  triangle_count_a <= listed(job_triangle_count_a);
-  triangle_count_b <= listed(job_triangle_count_b);
-  query_pose <= matrix(to_integer(unsigned(volume_lane)));
-  query_shift <= shift(to_integer(unsigned(volume_lane)));
-  query_errors <= shift_error(to_integer(unsigned(volume_lane)));
-  query_rows <= row(to_integer(unsigned(volume_lane)));
-  asked <= head(to_integer(unsigned(front)));
-  triangle_base_a <= asked(job_triangles_a){% if e.block_ram %} xor x"02000000"{% endif %};
-  triangle_base_b <= asked(job_triangles_b){% if e.block_ram %} xor x"02000000"{% endif %};
+  head_row <= store_lane when store = '1' else checked_lane;
+  checked <= head(to_integer(unsigned(head_row)));
+  requested <= block_bases(to_integer(unsigned(request_lane)));
+  block_base_a <= requested(31 downto 0);
+  block_base_b <= requested(63 downto 32);
+  listed <= object_counts(to_integer(unsigned(listed_lane)));
+  block_count_a <= listed(31 downto 0);
+  block_count_b <= listed(63 downto 32);
+  triangle_count_a <= listed(95 downto 64);
+  triangle_count_b <= listed(127 downto 96);
+  volume_row <= store_lane when store = '1' else volume_lane;
+  query_pose <= matrix(to_integer(unsigned(volume_row)));
+  query_shift <= shift(to_integer(unsigned(volume_row)));
+  query_errors <= shift_error(to_integer(unsigned(volume_row)));
+  query_rows <= row(to_integer(unsigned(volume_row)));
+  asked <= triangle_bases(to_integer(unsigned(front)));
+  triangle_base_a <= asked(31 downto 0){% if e.block_ram %} xor x"02000000"{% endif %};
+  triangle_base_b <= asked(63 downto 32){% if e.block_ram %} xor x"02000000"{% endif %};
   pose <= pose_memory(to_integer(unsigned(front)));
   leaves_only <= leaves;
-  answered <= head(to_integer(unsigned(oldest)));
-  options <= answered(job_options);
-  stop_at_contact <= options(option_contact);
-  separate_too <= options(option_separate);
+  stop_at_contact <= contact(to_integer(unsigned(oldest)));
+  separate_too <= separate(to_integer(unsigned(oldest)));
 end architecture rtl;

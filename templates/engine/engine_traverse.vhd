@@ -6,7 +6,8 @@
 -- popped, its two blocks are fetched, the volume unit tests the children of one against the children of the other, and the
 -- pairs that may overlap are pushed, or sent to the triangle unit where both are leaves. Two leaves of one block that meet
 -- the same inner node are pushed as one pair, so that one expansion tests both. Pairs in flight keep their order, whatever
--- their lanes.
+-- their lanes. Of the survivors of an expansion one in each clock is pushed, and one pair of leaves goes; those that wait do
+-- so in two queues, a record for each expansion.
 --
 -- Rule of issue. Let used be the entries of a stack and flying the pairs of its lane in flight; a pair pushes at most four.
 -- It is popped if used - 1 + 4 (flying + 1) <= {{ e.traversal.wide }}, or if nothing of its lane flies; and only if less than {{ e.traversal.in_flight }} pairs of all lanes
@@ -70,7 +71,7 @@ entity {{ prefix }}engine_traverse is
     expanded_lane : out std_logic_vector(lane_bits - 1 downto 0);
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
     tested_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
-    survived : out std_logic_vector(1 downto 0);  -- so many more
+    survived : out std_logic_vector(2 downto 0);  -- so many more
     survived_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
     greatest_stack : out unsigned(15 downto 0)  -- of the oldest query
   );
@@ -113,10 +114,10 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal room : lane_rooms := (others => (others => '0'));  -- wide - 3 - used - 4 flying in two's complement: not negative while a pair may be popped although others of the lane fly
   type pair_rooms is array (0 to lanes - 1) of unsigned(pair_room_bits - 1 downto 0);
   signal pair_room : pair_rooms := (others => (others => '0'));  -- the same of the queue of leaf pairs: pairs - 4 - those in it - 4 flying
-  type lane_flights is array (0 to lanes - 1) of unsigned(flight_bits downto 0);
+  type lane_flights is array (0 to lanes - 1) of unsigned(flight_bits + 1 downto 0);
   signal lane_flying : lane_flights := (others => (others => '0'));
   signal nothing_flies : flags := (others => '1');  -- of the lane
-  signal flying : unsigned(flight_bits downto 0) := (others => '0');  -- of all lanes
+  signal flying : unsigned(flight_bits + 1 downto 0) := (others => '0');  -- of all lanes
   signal all_fly : std_logic := '0';  -- flying = in_flight
   signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit
   signal crowded : std_logic := '0';  -- so many that a younger query waits
@@ -128,20 +129,15 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal issued_entry : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
   signal issue_free : std_logic;
 
-  -- Pairs in flight, each in a place of its own: popped, taken by the volume unit, answered by it, finished.
+  -- Pairs in flight, each in a place of its own: popped, taken by the volume unit, answered by it.
   signal popped_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal taken_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal listed_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal answered_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
-  signal finished_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
-  signal answers : unsigned(flight_bits downto 0) := (others => '0');  -- pairs answered and not opened
-  signal answered : std_logic;
   type entries is array (0 to flight_places - 1) of std_logic_vector(entry_bits - 1 downto 0);
   signal entry_memory : entries := (others => (others => '0'));
-  type children is array (0 to flight_places - 1) of std_logic_vector(123 downto 0);
+  type children is array (0 to flight_places - 1) of std_logic_vector(131 downto 0);
   signal children_memory : children := (others => (others => '0'));
-  type survivals is array (0 to flight_places - 1) of std_logic_vector(3 downto 0);
-  signal survive_memory : survivals := (others => "0000");
   type lane_list is array (0 to flight_places - 1) of unsigned(lane_bits - 1 downto 0);
   signal lane_memory : lane_list := (others => (others => '0'));
 
@@ -170,31 +166,77 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal listed : std_logic := '0';  -- the children of the blocks taken one clock ago
   signal tests : std_logic_vector(2 downto 0);
 
-  -- Survivors one by one, from right and right to left and left.
-  signal opened : std_logic := '0';  -- there is a pair whose survivors are taken
-  signal opens : std_logic;
-  signal opened_entry : std_logic_vector(entry_bits - 1 downto 0);
-  signal opened_children : std_logic_vector(123 downto 0);
-  signal own_is_deepest : std_logic := '0';
-  signal present_pairs : std_logic_vector(3 downto 0);
+  -- Of the four pairs of children of two blocks: which go on, which are pairs of leaves, and which have a wrong link.
+  signal listed_deepest : std_logic := '0';
+  signal listed_nodes : std_logic_vector(3 downto 0);
+  signal listed_leaves : std_logic_vector(3 downto 0);
+  signal listed_faults : std_logic_vector(3 downto 0);
+
+  -- An answer of the volume unit, a clock later.
+  signal answered_children : std_logic_vector(131 downto 0);
+  signal met : std_logic := '0';
+  signal met_entry : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
+  signal met_family : std_logic_vector(119 downto 0) := (others => '0');  -- children of A, of B, the right one first: leaf, fault, number
+  signal met_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal met_nodes : std_logic_vector(3 downto 0) := "0000";  -- survivors that are pushed
+  signal met_leaves : std_logic_vector(3 downto 0) := "0000";  -- survivors that are pairs of leaves
+  signal met_faults : std_logic_vector(3 downto 0) := "0000";
+  signal met_survivors : std_logic_vector(3 downto 0);
+  signal wrong : std_logic;
+  signal kept : std_logic;
+  signal brings_nodes : std_logic;
+  signal brings_leaves : std_logic;
+
+  -- Records of survivors that are pushed: the first is opened. Behind it there is room for all pairs in flight.
+  constant node_record_bits : natural := entry_bits + 124;
+  subtype node_record is std_logic_vector(node_record_bits - 1 downto 0);
+  type node_records is array (0 to flight_places - 1) of node_record;
+  signal node_memory : node_records := (others => (others => '0'));
+  signal node_lanes : lane_list := (others => (others => '0'));
+  signal node_written : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal node_read : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal node_count : unsigned(flight_bits downto 0) := (others => '0');
+  signal nodes_wait : std_logic;
+  signal next_nodes : node_record;
+  signal next_node_lane : unsigned(lane_bits - 1 downto 0);
+  signal nodes_free : std_logic;
+
+  -- The same of pairs of leaves.
+  subtype leaf_record is std_logic_vector(115 downto 0);
+  type leaf_records is array (0 to flight_places - 1) of leaf_record;
+  signal leaf_memory : leaf_records := (others => (others => '0'));
+  signal leaf_lanes : lane_list := (others => (others => '0'));
+  signal leaf_written : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal leaf_read : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal leaf_count : unsigned(flight_bits downto 0) := (others => '0');
+  signal leaves_wait : std_logic;
+  signal next_leaves : leaf_record;
+  signal next_leaf_lane : unsigned(lane_bits - 1 downto 0);
+  signal leaves_free : std_logic;
+  signal leaf_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal leaf_numbers : std_logic_vector(111 downto 0) := (others => '0');
+  signal leaves_left : std_logic_vector(3 downto 0) := "0000";
+  signal leaf_pick : std_logic_vector(3 downto 0);
+  signal some_leaves : std_logic;
+  signal leaves_ended : std_logic;
+  signal last_leaves : std_logic;
+  signal leaves_finished : std_logic;
+
+  -- Survivors that are pushed one by one, from right and right to left and left.
+  signal opened : std_logic := '0';  -- there is a record
   signal own_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal own : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
   signal family : std_logic_vector(119 downto 0) := (others => '0');
   signal left_over : std_logic_vector(3 downto 0) := "0000";
   signal pick : std_logic_vector(3 downto 0);
   signal last_pick : std_logic;
-  signal joins_a : std_logic_vector(1 downto 0) := "00";  -- bit q: both children of A are leaves, child q of B is none
-  signal joins_b : std_logic_vector(1 downto 0) := "00";
+  signal joins_a : std_logic_vector(1 downto 0);  -- bit q: both children of A are leaves, child q of B is none
+  signal joins_b : std_logic_vector(1 downto 0);
   signal joined_a : std_logic;  -- both leaves meet the same inner node, and go as one pair
   signal joined_b : std_logic;
   signal chosen : std_logic_vector(3 downto 0);  -- what is picked, and what goes with it
-  signal chosen_a : std_logic_vector(29 downto 0);  -- leaf, fault, number
-  signal chosen_b : std_logic_vector(29 downto 0);
   signal candidate : std_logic := '0';
   signal candidate_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
-  signal candidate_free : std_logic;
-  signal candidate_leaves : std_logic;
-  signal is_survivor : std_logic := '0';  -- a pair without survivors goes this way once, too
   signal is_last : std_logic := '0';
   signal child_a : std_logic_vector(29 downto 0) := (others => '0');
   signal child_b : std_logic_vector(29 downto 0) := (others => '0');
@@ -203,19 +245,13 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal whole_a : std_logic := '0';  -- both leaves
   signal whole_b : std_logic := '0';
   signal parents : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
-  signal both_leaves : std_logic;
-  signal wrong : std_logic;
-  signal is_pair : std_logic := '0';  -- what becomes of the survivor
-  signal is_entry : std_logic := '0';
-  signal is_wrong : std_logic := '0';
   signal next_a : std_logic_vector(node_bits + 1 downto 0);
   signal next_b : std_logic_vector(node_bits + 1 downto 0);
   signal next_level : std_logic_vector(level_bits - 1 downto 0) := (others => '0');
   signal ended : flags := (others => '1');  -- ending, a clock later: near to what reads it
-  signal candidate_ended : std_logic;
-  signal pair_due : std_logic;
   signal push_due : std_logic;
-  signal finished : std_logic;
+  signal pair_due : std_logic;
+  signal nodes_finished : std_logic;
 begin
   -- ===== Issue =====
   each_lane : for lane in 0 to lanes - 1 generate
@@ -269,9 +305,12 @@ begin
   greatest_stack <= greatest(to_integer(unsigned(oldest)));
 
   issue : process (clk)
-    variable change : integer range -1 to 4;
-    variable pair_change : integer range -1 to 5;
-    variable ends_here : boolean;
+    variable change : integer range -1 to 8;
+    variable pair_change : integer range -1 to 9;
+    variable records : integer range -3 to 1;  -- that are more than before; a pair in flight counts as one
+    variable all_records : integer range -3 to 1;
+    variable lane_steady : unsigned(flight_bits + 1 downto 0);  -- pairs in flight and records but for a pop
+    variable steady : unsigned(flight_bits + 1 downto 0);
   begin
     if rising_edge(clk) then
       root_due <= start and not reset;
@@ -285,7 +324,6 @@ begin
         lane_memory(to_integer(popped_place)) <= pop_lane;
       end if;
       for lane in 0 to lanes - 1 loop
-        ends_here := finished = '1' and candidate_lane = lane;
         if starts(lane) = '1' then
           allowed(lane) <= unsigned(most_expansions) - 1;
           spent(lane) <= '0';
@@ -295,25 +333,44 @@ begin
             spent(lane) <= '1';
           end if;
         end if;
-        -- A push takes one place, a pair that is finished frees four, and a pop, below, frees one and reserves four.
+        -- A push takes one place, a record that is finished frees four, and a pop, below, frees one and reserves four. In the
+        -- queue of leaf pairs a pop reserves four.
         change := 0;
+        pair_change := 0;
+        records := 0;
         if push(lane) = '1' then
           change := change - 1;
-        end if;
-        if ends_here then
-          change := change + 4;
-        end if;
-        -- In the queue of leaf pairs a pop reserves four.
-        pair_change := 0;
-        if pair_due = '1' and pair_ready = '1' and candidate_lane = lane then
-          pair_change := pair_change - 1;
         end if;
         if pair_left(lane) = '1' then
           pair_change := pair_change + 1;
         end if;
-        if ends_here then
-          pair_change := pair_change + 4;
+        if met = '1' and met_lane = lane then
+          if brings_nodes = '0' then
+            change := change + 4;
+          end if;
+          if brings_leaves = '0' then
+            pair_change := pair_change + 4;
+          end if;
+          if brings_nodes = '1' and brings_leaves = '1' then
+            records := records + 1;
+          elsif brings_nodes = '0' and brings_leaves = '0' then
+            records := records - 1;
+          end if;
         end if;
+        if nodes_finished = '1' and candidate_lane = lane then
+          change := change + 4;
+          records := records - 1;
+        end if;
+        if leaf_lane = lane then
+          if pair_due = '1' and pair_ready = '1' then
+            pair_change := pair_change - 1;
+          end if;
+          if leaves_finished = '1' then
+            pair_change := pair_change + 4;
+            records := records - 1;
+          end if;
+        end if;
+        lane_steady := unsigned(signed(lane_flying(lane)) + records);
         if reset = '1' or starts(lane) = '1' then
           room(lane) <= unsigned(to_signed(wide - 3, room_bits));
           pair_room(lane) <= to_unsigned(pairs - 4, pair_room_bits);
@@ -328,17 +385,31 @@ begin
             room(lane) <= unsigned(signed(room(lane)) + change);
             pair_room(lane) <= unsigned(signed(pair_room(lane)) + pair_change);
           end if;
-          if pops(lane) = '1' and not ends_here then
-            lane_flying(lane) <= lane_flying(lane) + 1;
+          if pops(lane) = '1' then
+            lane_flying(lane) <= lane_steady + 1;
             nothing_flies(lane) <= '0';
-          elsif pops(lane) = '0' and ends_here then
-            lane_flying(lane) <= lane_flying(lane) - 1;
-            if lane_flying(lane) = 1 then
+          else
+            lane_flying(lane) <= lane_steady;
+            nothing_flies(lane) <= '0';
+            if lane_steady = 0 then
               nothing_flies(lane) <= '1';
             end if;
           end if;
         end if;
       end loop;
+      all_records := 0;
+      if (met and brings_nodes and brings_leaves) = '1' then
+        all_records := all_records + 1;
+      elsif met = '1' and brings_nodes = '0' and brings_leaves = '0' then
+        all_records := all_records - 1;
+      end if;
+      if nodes_finished = '1' then
+        all_records := all_records - 1;
+      end if;
+      if leaves_finished = '1' then
+        all_records := all_records - 1;
+      end if;
+      steady := unsigned(signed(flying) + all_records);
       if reset = '1' then
         flying <= (others => '0');
         all_fly <= '0';
@@ -353,14 +424,17 @@ begin
         if pop = '1' then
           popped_place <= popped_place + 1;
         end if;
-        if pop = '1' and finished = '0' then
-          flying <= flying + 1;
-          if flying = in_flight - 1 then
+        all_fly <= '0';
+        if pop = '1' then
+          flying <= steady + 1;
+          if steady >= in_flight - 1 then
             all_fly <= '1';
           end if;
-        elsif pop = '0' and finished = '1' then
-          flying <= flying - 1;
-          all_fly <= '0';
+        else
+          flying <= steady;
+          if steady >= in_flight then
+            all_fly <= '1';
+          end if;
         end if;
         if pop = '1' and blocks_taken = '0' then
           without_blocks <= without_blocks + 1;
@@ -437,15 +511,16 @@ begin
       there_b <= "00";
       listed_a <= wanted_a;
       listed_b <= wanted_b;
+      listed_deepest <= '0';
+      if taken_entry(entry_level) = everything then
+        listed_deepest <= '1';
+      end if;
       if listed = '1' then
         there_a <= listed_a and present_a;
         there_b <= listed_b and present_b;
-        children_memory(to_integer(listed_place)) <= present_a & present_b
+        children_memory(to_integer(listed_place)) <= listed_faults & listed_leaves & listed_nodes
           & leaf_a(1) & fault_a(1) & right_a & leaf_a(0) & fault_a(0) & left_a
           & leaf_b(1) & fault_b(1) & right_b & leaf_b(0) & fault_b(0) & left_b;
-      end if;
-      if survive_valid = '1' then
-        survive_memory(to_integer(answered_place)) <= survive;
       end if;
       if reset = '1' then
         taken_place <= (others => '0');
@@ -468,17 +543,112 @@ begin
   end process list;
 
   -- ===== Survivors =====
-  answered <= '1' when answers /= 0 else '0';
-  -- The oldest answered pair is opened when the one before it has no more survivors.
-  opens <= answered and ((candidate_free and last_pick) or not opened);
-  opened_entry <= entry_memory(to_integer(finished_place));
-  opened_children <= children_memory(to_integer(finished_place));
-  present_pairs <= (opened_children(123) and opened_children(121)) & (opened_children(123) and opened_children(120))
-    & (opened_children(122) and opened_children(121)) & (opened_children(122) and opened_children(120));
+  -- A leaf beside an inner node stays where it is: its number is not used yet.
+  kinds : for k in 0 to 3 generate
+    constant a : natural := k / 2;
+    constant b : natural := k mod 2;
+  begin
+    listed_nodes(k) <= present_a(a) and present_b(b) and not (leaf_a(a) and leaf_b(b));
+    listed_leaves(k) <= present_a(a) and present_b(b) and leaf_a(a) and leaf_b(b);
+    listed_faults(k) <= (listed_nodes(k) and ((fault_a(a) and not leaf_a(a)) or (fault_b(b) and not leaf_b(b)) or listed_deepest))
+      or (listed_leaves(k) and (fault_a(a) or fault_b(b)));
+  end generate kinds;
+
+  answered_children <= children_memory(to_integer(answered_place));
+
+  meet : process (clk)
+  begin
+    if rising_edge(clk) then
+      ended <= ending;
+      met_entry <= entry_memory(to_integer(answered_place));
+      met_family <= answered_children(119 downto 0);
+      met_lane <= lane_memory(to_integer(answered_place));
+      met_nodes <= survive and answered_children(123 downto 120);
+      met_leaves <= survive and answered_children(127 downto 124);
+      met_faults <= survive and answered_children(131 downto 128);
+      met <= survive_valid and not reset;
+    end if;
+  end process meet;
+
+  met_survivors <= met_nodes or met_leaves;
+  wrong <= '0' when met_faults = "0000" else met;
+  kept <= met and not wrong and not ended(to_integer(met_lane));
+  brings_nodes <= '0' when met_nodes = "0000" else kept;
+  brings_leaves <= '0' when met_leaves = "0000" else kept;
+
+  -- A record goes into its queue if it is not the first.
+  nodes_wait <= '0' when node_count = 0 else '1';
+  nodes_free <= last_pick or not opened;
+  next_nodes <= node_memory(to_integer(node_read)) when nodes_wait = '1' else met_nodes & met_family & met_entry;
+  next_node_lane <= node_lanes(to_integer(node_read)) when nodes_wait = '1' else met_lane;
+  leaves_wait <= '0' when leaf_count = 0 else '1';
+  leaves_free <= leaves_finished or not some_leaves;
+  next_leaves <= leaf_memory(to_integer(leaf_read)) when leaves_wait = '1' else
+    met_leaves & met_family(117 downto 90) & met_family(87 downto 60) & met_family(57 downto 30) & met_family(27 downto 0);
+  next_leaf_lane <= leaf_lanes(to_integer(leaf_read)) when leaves_wait = '1' else met_lane;
+
+  queue : process (clk)
+    variable nodes_come : boolean;
+    variable nodes_go : boolean;
+    variable leaves_come : boolean;
+    variable leaves_go : boolean;
+  begin
+    if rising_edge(clk) then
+      nodes_come := brings_nodes = '1' and (nodes_wait = '1' or nodes_free = '0');
+      nodes_go := nodes_wait = '1' and nodes_free = '1';
+      leaves_come := brings_leaves = '1' and (leaves_wait = '1' or leaves_free = '0');
+      leaves_go := leaves_wait = '1' and leaves_free = '1';
+      if nodes_come then
+        node_memory(to_integer(node_written)) <= met_nodes & met_family & met_entry;
+        node_lanes(to_integer(node_written)) <= met_lane;
+      end if;
+      if leaves_come then
+        leaf_memory(to_integer(leaf_written)) <=
+          met_leaves & met_family(117 downto 90) & met_family(87 downto 60) & met_family(57 downto 30) & met_family(27 downto 0);
+        leaf_lanes(to_integer(leaf_written)) <= met_lane;
+      end if;
+      if reset = '1' then
+        node_written <= (others => '0');
+        node_read <= (others => '0');
+        node_count <= (others => '0');
+        leaf_written <= (others => '0');
+        leaf_read <= (others => '0');
+        leaf_count <= (others => '0');
+      else
+        if nodes_come then
+          node_written <= node_written + 1;
+        end if;
+        if nodes_go then
+          node_read <= node_read + 1;
+        end if;
+        if nodes_come and not nodes_go then
+          node_count <= node_count + 1;
+        elsif nodes_go and not nodes_come then
+          node_count <= node_count - 1;
+        end if;
+        if leaves_come then
+          leaf_written <= leaf_written + 1;
+        end if;
+        if leaves_go then
+          leaf_read <= leaf_read + 1;
+        end if;
+        if leaves_come and not leaves_go then
+          leaf_count <= leaf_count + 1;
+        elsif leaves_go and not leaves_come then
+          leaf_count <= leaf_count - 1;
+        end if;
+      end if;
+    end if;
+  end process queue;
+
   pick <= "1000" when left_over(3) = '1' else
     "0100" when left_over(2) = '1' else
     "0010" when left_over(1) = '1' else
     left_over;
+  joins_a(0) <= family(119) and family(89) and not family(29);
+  joins_a(1) <= family(119) and family(89) and not family(59);
+  joins_b(0) <= family(59) and family(29) and not family(89);
+  joins_b(1) <= family(59) and family(29) and not family(119);
   joined_a <= (pick(3) and joins_a(1) and left_over(1)) or (pick(2) and joins_a(0) and left_over(0));
   joined_b <= (pick(3) and joins_b(1) and left_over(2)) or (pick(1) and joins_b(0) and left_over(0));
   chosen(3) <= pick(3);
@@ -486,94 +656,58 @@ begin
   chosen(1) <= pick(1) or (pick(3) and joins_a(1) and left_over(1));
   chosen(0) <= pick(0) or (((pick(2) and joins_a(0)) or (pick(1) and joins_b(0))) and left_over(0));
   last_pick <= '1' when left_over = chosen else '0';
-  chosen_a <= family(119 downto 90) when (pick(3) or pick(2)) = '1' else family(89 downto 60);
-  chosen_b <= family(59 downto 30) when (pick(3) or pick(1)) = '1' else family(29 downto 0);
-  candidate_free <= candidate_leaves or not candidate;
-  both_leaves <= chosen_a(29) and chosen_b(29);
-  -- A leaf beside an inner node stays where it is: its number is not used yet.
-  wrong <= (chosen_a(28) and (both_leaves or not chosen_a(29))) or (chosen_b(28) and (both_leaves or not chosen_b(29)))
-    or (own_is_deepest and not both_leaves);
 
   choose : process (clk)
   begin
     if rising_edge(clk) then
-      ended <= ending;
-      survived_lane <= std_logic_vector(candidate_lane);
-      survived(0) <= candidate_leaves and is_survivor and not (whole_a or whole_b);
-      survived(1) <= candidate_leaves and is_survivor and (whole_a or whole_b);
-      if candidate_free = '1' then
-        is_survivor <= pick(3) or pick(2) or pick(1) or pick(0);
-        is_last <= last_pick;
-        child_a <= chosen_a;
-        child_b <= chosen_b;
-        side_a <= pick(3) or pick(2);
-        side_b <= pick(3) or pick(1);
-        whole_a <= joined_a;
-        whole_b <= joined_b;
-        parents <= own;
-        candidate_lane <= own_lane;
-        is_pair <= both_leaves and not wrong;
-        is_entry <= not both_leaves and not wrong;
-        is_wrong <= wrong;
-        next_level <= std_logic_vector(unsigned(own(entry_level)) + 1);
+      survived_lane <= std_logic_vector(met_lane);
+      survived <= "000";
+      if met = '1' then
+        survived <= std_logic_vector(("00" & unsigned(met_survivors(0 downto 0))) + unsigned(met_survivors(1 downto 1))
+          + unsigned(met_survivors(2 downto 2)) + unsigned(met_survivors(3 downto 3)));
       end if;
-      if opens = '1' then
-        own <= opened_entry;
-        own_lane <= lane_memory(to_integer(finished_place));
-        own_is_deepest <= '0';
-        if opened_entry(entry_level) = everything then
-          own_is_deepest <= '1';
-        end if;
-        family <= opened_children(119 downto 0);
-        joins_a(0) <= opened_children(119) and opened_children(89) and not opened_children(29);
-        joins_a(1) <= opened_children(119) and opened_children(89) and not opened_children(59);
-        joins_b(0) <= opened_children(59) and opened_children(29) and not opened_children(89);
-        joins_b(1) <= opened_children(59) and opened_children(29) and not opened_children(119);
-        left_over <= survive_memory(to_integer(finished_place)) and present_pairs;
-      elsif candidate_free = '1' then
+      candidate <= opened and not reset;
+      candidate_lane <= own_lane;
+      is_last <= last_pick;
+      child_a <= family(89 downto 60);
+      if (pick(3) or pick(2)) = '1' then
+        child_a <= family(119 downto 90);
+      end if;
+      child_b <= family(29 downto 0);
+      if (pick(3) or pick(1)) = '1' then
+        child_b <= family(59 downto 30);
+      end if;
+      side_a <= pick(3) or pick(2);
+      side_b <= pick(3) or pick(1);
+      whole_a <= joined_a;
+      whole_b <= joined_b;
+      parents <= own;
+      next_level <= std_logic_vector(unsigned(own(entry_level)) + 1);
+      if nodes_free = '1' then
+        own <= next_nodes(entry_bits - 1 downto 0);
+        family <= next_nodes(entry_bits + 119 downto entry_bits);
+        left_over <= next_nodes(entry_bits + 123 downto entry_bits + 120);
+        own_lane <= next_node_lane;
+        opened <= nodes_wait or brings_nodes;
+      else
         left_over <= left_over and not chosen;
       end if;
       if reset = '1' then
-        answers <= (others => '0');
-        finished_place <= (others => '0');
         opened <= '0';
-        candidate <= '0';
-      else
-        if candidate_free = '1' then
-          candidate <= opened;
-        end if;
-        if opens = '1' then
-          opened <= '1';
-          finished_place <= finished_place + 1;
-        elsif candidate_free = '1' and last_pick = '1' then
-          opened <= '0';
-        end if;
-        if survive_valid = '1' and opens = '0' then
-          answers <= answers + 1;
-        elsif survive_valid = '0' and opens = '1' then
-          answers <= answers - 1;
-        end if;
       end if;
     end if;
   end process choose;
 
-  candidate_ended <= ended(to_integer(candidate_lane));
-  pair_due <= candidate and is_survivor and is_pair and not candidate_ended;
-  push_due <= candidate and is_survivor and is_entry and not candidate_ended;
-  candidate_leaves <= candidate and (pair_ready or not pair_due);
-  finished <= candidate_leaves and is_last;
+  push_due <= candidate and not ended(to_integer(candidate_lane));
+  nodes_finished <= candidate and is_last;
   find_bad : for lane in 0 to lanes - 1 generate
-    signal of_candidate : std_logic;
+    signal of_record : std_logic;
     signal of_block : std_logic;
   begin
-    of_candidate <= candidate and is_survivor and is_wrong when candidate_lane = lane else '0';
+    of_record <= wrong when met_lane = lane else '0';
     of_block <= bad_a or bad_b when there_lane = lane else '0';
-    bad_tree(lane) <= of_candidate or of_block;
+    bad_tree(lane) <= of_record or of_block;
   end generate find_bad;
-  pair_valid <= pair_due;
-  pair_lane <= std_logic_vector(candidate_lane);
-  pair_a <= child_a(27 downto 0);
-  pair_b <= child_b(27 downto 0);
 
   -- The number of a block without a fault has no more bits than these.
   next_a <= child_a(node_bits - 1 downto 0) & "11" when child_a(29) = '0' else
@@ -582,4 +716,38 @@ begin
   next_b <= child_b(node_bits - 1 downto 0) & "11" when child_b(29) = '0' else
     parents(entry_node_b) & "11" when whole_b = '1' else
     parents(entry_node_b) & side_b & not side_b;
+
+  -- ===== Pairs of leaves =====
+  leaf_pick <= "1000" when leaves_left(3) = '1' else
+    "0100" when leaves_left(2) = '1' else
+    "0010" when leaves_left(1) = '1' else
+    leaves_left;
+  some_leaves <= '0' when leaves_left = "0000" else '1';
+  last_leaves <= '1' when leaves_left = leaf_pick else '0';
+  leaves_ended <= ended(to_integer(leaf_lane));
+  pair_due <= some_leaves and not leaves_ended;
+  leaves_finished <= some_leaves and (leaves_ended or (pair_ready and last_leaves));
+  pair_valid <= pair_due;
+  pair_lane <= std_logic_vector(leaf_lane);
+  pair_a <= leaf_numbers(111 downto 84) when (leaf_pick(3) or leaf_pick(2)) = '1' else leaf_numbers(83 downto 56);
+  pair_b <= leaf_numbers(55 downto 28) when (leaf_pick(3) or leaf_pick(1)) = '1' else leaf_numbers(27 downto 0);
+
+  part : process (clk)
+  begin
+    if rising_edge(clk) then
+      if leaves_free = '1' then
+        leaf_numbers <= next_leaves(111 downto 0);
+        leaf_lane <= next_leaf_lane;
+        leaves_left <= "0000";
+        if (leaves_wait or brings_leaves) = '1' then
+          leaves_left <= next_leaves(115 downto 112);
+        end if;
+      elsif pair_ready = '1' then
+        leaves_left <= leaves_left and not leaf_pick;
+      end if;
+      if reset = '1' then
+        leaves_left <= "0000";
+      end if;
+    end if;
+  end process part;
 end architecture rtl;

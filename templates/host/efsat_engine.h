@@ -3,8 +3,9 @@
 {% endfor -%}
 /*
  * The words of {{ h.prefix }}efsat_engine in C99 and C++: constants, packing of packets, unpacking of answers. A packet is words of 64
- * bits, TLAST with the last one; on the wire their bytes are little-endian. Images of trees are made by `efsat tree build`, and the
- * numbers {% if h.by_number %}of a pose{% else %}and rows of a pose{% endif %} by `efsat tree query`.
+ * bits, TLAST with the last one; on the wire their bytes are little-endian. Images of trees, made by `efsat tree build`, are read in
+ * {{ h.file }}_image.h; the numbers of a pose are computed in {{ h.file }}_pose.h; possibly incorrect pairs are decided in
+ * {{ h.retest }}.h.
  *
  * A function that returns int refuses what the engine makes no promise for, and answers that it cannot have given: it returns 0, or
  * one of {{ h.upper }}_REFUSED_... and has then written nothing. `why`, if it is not null, gets the details, and
@@ -97,6 +98,22 @@ static inline uint64_t {{ h.prefix }}efsat_engine_both(uint64_t low, uint64_t hi
   return (low & UINT32_MAX) | high << 32;
 }
 
+/* Whether the numbers of a pose are inside the declared ranges. */
+static inline int {{ h.prefix }}efsat_engine_check_pose(const int64_t pose[12]{% if h.is_sticky %}, uint32_t sticky{% endif %}, struct {{ h.prefix }}efsat_engine_refusal *why)
+{
+  int refused = 0;
+  for (unsigned i = 0; i < 12 && !refused; i++) {
+    const int64_t above = {% if h.is_sticky %}sticky >> i & 1{% else %}0{% endif %};
+    refused = i < 9 ? {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_ENTRY, i, pose[i], {{ h.upper }}_ENTRY_LEAST, {{ h.upper }}_ENTRY_MOST - above)
+                    : {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_TRANSLATION, i, pose[i], {{ h.upper }}_TRANSLATION_LEAST, {{ h.upper }}_TRANSLATION_MOST - above);
+  }
+{%- if h.is_sticky %}
+  if (!refused)
+    refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_STICKY, {{ h.upper }}_NO_INDEX, sticky, 0, 4095);
+{%- endif %}
+  return refused;
+}
+
 {% if h.by_number %}{% include "host/numbers_put.h" %}
 {% else -%}
 /* Asks in a packet of a query for something else. The query gets the number `*next`, which then is the next one, so that no two of the
@@ -126,16 +143,8 @@ static inline uint64_t {{ h.prefix }}efsat_engine_both(uint64_t low, uint64_t hi
   }
   for (unsigned i = 0; i < 3 && !refused; i++)
     refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_ERROR, i, query->errors[i], 0, 65535);
-  for (unsigned i = 0; i < 12 && !refused; i++) {
-    const int64_t above = {% if h.is_sticky %}query->sticky >> i & 1{% else %}0{% endif %};
-    refused = i < 9
-        ? {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_ENTRY, i, query->pose[i], {{ h.upper }}_ENTRY_LEAST, {{ h.upper }}_ENTRY_MOST - above)
-        : {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_TRANSLATION, i, query->pose[i], {{ h.upper }}_TRANSLATION_LEAST, {{ h.upper }}_TRANSLATION_MOST - above);
-  }
-{%- if h.is_sticky %}
   if (!refused)
-    refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_STICKY, {{ h.upper }}_NO_INDEX, query->sticky, 0, 4095);
-{%- endif %}
+    refused = {{ h.prefix }}efsat_engine_check_pose(query->pose{% if h.is_sticky %}, query->sticky{% endif %}, why);
   for (unsigned i = 0; i < {{ h.upper }}_DIRECTIONS && !refused; i++) {
     const struct {{ h.prefix }}efsat_engine_row *row = &query->rows[i];
     refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_REST, i, row->rest, 0, (INT64_C(1) << {{ h.upper }}_ROW_REST_BITS) - 1);
@@ -257,6 +266,14 @@ static inline struct {{ h.prefix }}efsat_engine_report {{ h.prefix }}efsat_engin
   return report;
 }
 
+/* Whether pairs that intersect, and those possibly incorrect, are as many as a report counts. */
+static inline int {{ h.prefix }}efsat_engine_check_counts(const int64_t found[3], const struct {{ h.prefix }}efsat_engine_report *report, struct {{ h.prefix }}efsat_engine_refusal *why)
+{
+  const int refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, found[{{ h.upper }}_VERDICT_INTERSECT], report->intersect, report->intersect);
+  return refused ? refused : {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, found[{{ h.upper }}_VERDICT_POSSIBLY_INCORRECT],
+      report->possibly_incorrect, report->possibly_incorrect);
+}
+
 {% if h.by_number %}{% include "host/numbers_get.h" %}
 {% else -%}
 static inline int {{ h.prefix }}efsat_engine_by_triangles(const void *one, const void *other)
@@ -295,11 +312,8 @@ static inline int {{ h.prefix }}efsat_engine_by_triangles(const void *one, const
       return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_PAIR, (uint32_t)i, (int64_t)words[i], 0, 0);
     found[pair.verdict]++;
   }
-  if (found[{{ h.upper }}_VERDICT_INTERSECT] != report->intersect)
-    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, found[{{ h.upper }}_VERDICT_INTERSECT], report->intersect, report->intersect);
-  if (found[{{ h.upper }}_VERDICT_POSSIBLY_INCORRECT] != report->possibly_incorrect)
-    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, found[{{ h.upper }}_VERDICT_POSSIBLY_INCORRECT],
-        report->possibly_incorrect, report->possibly_incorrect);
+  if ({{ h.prefix }}efsat_engine_check_counts(found, report, why))
+    return {{ h.upper }}_REFUSED_COUNT;
   /* All pairs are answered if all were asked for, or if no triangle is tested. */
   if (flags & ({{ h.upper }}_ALL_PAIRS | {{ h.upper }}_LEAF_PAIRS) && report->reason == {{ h.upper }}_REASON_COMPLETE && pairs != report->leaf_pairs)
     return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, (int64_t)pairs, report->leaf_pairs, report->leaf_pairs);

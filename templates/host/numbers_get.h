@@ -36,11 +36,8 @@
       return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_PAIR, (uint32_t)i, (int64_t)words[i], 0, 0);
     found[pair.verdict]++;
   }
-  if (found[{{ h.upper }}_VERDICT_INTERSECT] != report->intersect)
-    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, found[{{ h.upper }}_VERDICT_INTERSECT], report->intersect, report->intersect);
-  if (found[{{ h.upper }}_VERDICT_POSSIBLY_INCORRECT] != report->possibly_incorrect)
-    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, found[{{ h.upper }}_VERDICT_POSSIBLY_INCORRECT],
-        report->possibly_incorrect, report->possibly_incorrect);
+  if ({{ h.prefix }}efsat_engine_check_counts(found, report, why))
+    return {{ h.upper }}_REFUSED_COUNT;
   /* All pairs are tested, and answered if all were asked for. */
   if (report->leaf_pairs != asked || (flags && pairs != asked))
     return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, flags ? (int64_t)pairs : (int64_t)report->leaf_pairs, (int64_t)asked,

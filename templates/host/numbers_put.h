@@ -12,16 +12,8 @@
     if (address % 64 || address >> 38)
       refused = {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_ADDRESS, i, (int64_t)address, 0, (INT64_C(1) << 38) - 64);
   }
-  for (unsigned i = 0; i < 12 && !refused && !head->as_it_lies; i++) {
-    const int64_t above = {% if h.is_sticky %}head->sticky >> i & 1{% else %}0{% endif %};
-    refused = i < 9
-        ? {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_ENTRY, i, head->pose[i], {{ h.upper }}_ENTRY_LEAST, {{ h.upper }}_ENTRY_MOST - above)
-        : {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_TRANSLATION, i, head->pose[i], {{ h.upper }}_TRANSLATION_LEAST, {{ h.upper }}_TRANSLATION_MOST - above);
-  }
-{%- if h.is_sticky %}
-  if (!refused)
-    refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_STICKY, {{ h.upper }}_NO_INDEX, head->sticky, 0, 4095);
-{%- endif %}
+  if (!refused && !head->as_it_lies)
+    refused = {{ h.prefix }}efsat_engine_check_pose(head->pose{% if h.is_sticky %}, head->sticky{% endif %}, why);
   if (refused)
     return refused;
   *next &= (UINT32_C(1) << {{ h.upper }}_QUERY_NUMBER_BITS) - 1;

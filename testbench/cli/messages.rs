@@ -49,6 +49,8 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("paint", "unrecognized subcommand 'paint'; expected one of generate, cosim, classify"),
         ("generate more", "unexpected argument 'more'"),
         ("generate --stream-width 48", "expected one of 32, 64, 128"),
+        ("generate --device XC7Z020-1", "; for another device of the 7 series take xc7a100t-1"),
+        ("synth --predict --device lfe5um-45f", "; for another device of the ECP5 take lfe5u-85-6"),
         ("accuracy --method determinants", "--method determinants: expected axes, whose stages the page examines"),
         ("cosim --random 0", "expected a whole number from 1 to 18446744073709551615"),
         ("cosim --random 1000001", "--random 1000001: expected a whole number from 1 to 1000000"),
@@ -92,7 +94,7 @@ fn wrong_input_files_are_one_line_and_status_2() {
     for (name, bytes, part) in files {
         fs::write(dir.join(name), bytes).unwrap();
         fails(dir, &format!("classify {name} --exact"), 2, part);
-        fails(dir, &format!("cosim --pairs {name} --simulator builtin --keep kept"), 2, part);
+        fails(dir, &format!("cosim {name} --simulator builtin --keep kept"), 2, part);
     }
     fs::create_dir(dir.join("folder.csv")).unwrap();
     for name in ["absent.csv", "folder.csv", "absent.f64", "absent.toml"] {
@@ -170,14 +172,14 @@ fn what_does_not_fit_is_said() {
     assert_eq!(warns(dir, "generate --engine --out small"), "");
     let large = "--memory block-ram --block-lines 16384 --triangle-lines 16384";
     let said = warns(dir, &format!("generate --engine --out large {large}"));
-    assert_eq!(said, "warning: xc2v6000-4 has 144 block RAMs; the design is predicted to take 836\n");
-    let many = warns(dir, "generate --engine --out many --method determinants");
+    assert_eq!(said, "warning: xc2v6000-4 has 144 block RAMs; the design is predicted to take 842\n");
+    let many = warns(dir, "generate --engine --out many --clocks-per-pair 1");
     assert!(many.contains("xc2v6000-4 has 144 multipliers; the units of the design are predicted to take "), "{many}");
     let predicted = |options: &str| object(dir, &format!("synth --predict --engine --json {options}"));
     let block_rams = |options: &str| predicted(options)["block_rams"].clone();
-    assert_eq!(block_rams(""), serde_json::json!({"predicted": 68, "capacity": 144}));
-    assert_eq!(block_rams(large)["predicted"], 836);
-    assert!(succeeds(dir, "synth --predict --engine").contains("68 of 144 (47.2 %) block RAMs of 18 kbit\n"));
+    assert_eq!(block_rams(""), serde_json::json!({"predicted": 74, "capacity": 144}));
+    assert_eq!(block_rams(large)["predicted"], 842);
+    assert!(succeeds(dir, "synth --predict --engine").contains("74 of 144 (51.4 %) block RAMs of 18 kbit\n"));
 }
 
 #[test]

@@ -102,7 +102,7 @@ impl Around {
 }
 
 /// Counters of lanes with a step in each clock, of one lane: the port, and the greatest step.
-const LANE_EVENTS: [(&str, u64); 4] = [("expanded", 1), ("tested", 4), ("survived", 2), ("paired", 1)];
+const LANE_EVENTS: [(&str, u64); 4] = [("expanded", 1), ("tested", 4), ("survived", 4), ("paired", 1)];
 /// Counters of all lanes together. Two bits are two sides.
 const EVENTS: [(&str, u64); 5] =
     [("block_reads", 3), ("triangles_asked", 1), ("triangle_reads", 3), ("words_read", 1), ("starved", 1)];

@@ -24,6 +24,8 @@ pub(super) struct Answer {
     pub rounded: Option<Exact>,
     /// Whether each of `Test::ALL` sees a common point.
     pub software: [bool; TESTS],
+    /// Whether another program does.
+    pub other: Option<bool>,
 }
 
 /// Wrong answers as counts.
@@ -60,6 +62,8 @@ pub(super) struct Tally {
     pub first_wrong: Option<u64>,
     software: [Errors; TESTS],
     software_on_rounded: [Errors; TESTS],
+    /// Of another program.
+    other: Errors,
     /// Exact answers that change when the vertices are rounded; none where nothing is rounded.
     rounding: Option<Errors>,
 }
@@ -79,6 +83,9 @@ impl Tally {
         for (errors, &seen) in self.software.iter_mut().zip(&answer.software) {
             errors.add(answer.truth, seen);
         }
+        if let Some(other) = answer.other {
+            self.other.add(answer.truth, other);
+        }
         if let Some(rounded) = answer.rounded {
             self.rounding.get_or_insert_default().add(answer.truth, rounded != Exact::Separate);
             for (errors, &seen) in self.software_on_rounded.iter_mut().zip(&answer.software) {
@@ -96,6 +103,7 @@ impl Tally {
         self.host_decided += other.host_decided;
         self.wrong += other.wrong;
         self.first_wrong = self.first_wrong.into_iter().chain(other.first_wrong).min();
+        self.other.merge(&other.other);
         let errors = self.software.iter_mut().chain(&mut self.software_on_rounded);
         for (errors, more) in errors.zip(other.software.iter().chain(&other.software_on_rounded)) {
             errors.merge(more);
@@ -107,7 +115,13 @@ impl Tally {
     }
 
     /// The counts as they are printed.
-    pub fn report(&self, source: String, poses: Option<u64>, units: Option<&'static str>) -> Report {
+    pub fn report(
+        &self,
+        source: String,
+        poses: Option<u64>,
+        units: Option<&'static str>,
+        given: Option<&str>,
+    ) -> Report {
         let word = |index: usize| ["separate", "intersect"][index % 2];
         let row = |(index, truth): (usize, &Truths)| Row {
             efsat: VERDICTS[index / 4].to_string(),
@@ -118,11 +132,17 @@ impl Tally {
         };
         let rows: Vec<Row> = self.rows.iter().enumerate().map(row).collect();
         let software = |(&test, (errors, on_rounded)): (&Test, (&Errors, &Errors))| SoftwareErrors {
-            test: test.name(),
+            test: test.name().to_owned(),
             source: test.source(),
             errors: *errors,
             on_rounded_vertices: self.rounding.map(|_| *on_rounded),
         };
+        let of_others = given.map(|file| SoftwareErrors {
+            test: file.to_owned(),
+            source: "answers of another program",
+            errors: self.other,
+            on_rounded_vertices: None,
+        });
         let [moeller, sat] = [MOELLER, SAT].map(|test| self.software[test as usize]);
         Report {
             source,
@@ -133,7 +153,9 @@ impl Tally {
             rows,
             wrong: Wrong { efsat: self.wrong, moeller, sat },
             rounding: self.rounding,
-            software: Test::ALL.iter().zip(self.software.iter().zip(&self.software_on_rounded)).map(software).collect(),
+            software: (Test::ALL.iter().zip(self.software.iter().zip(&self.software_on_rounded)).map(software))
+                .chain(of_others)
+                .collect(),
         }
     }
 }
@@ -146,7 +168,7 @@ pub(super) struct Report {
     poses: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     units: Option<&'static str>,
-    pairs: u64,
+    pub pairs: u64,
     host_decided: u64,
     rows: Vec<Row>,
     pub wrong: Wrong,
@@ -176,7 +198,7 @@ pub(super) struct Wrong {
 /// How often a software test was wrong.
 #[derive(Serialize)]
 struct SoftwareErrors {
-    test: &'static str,
+    test: String,
     source: &'static str,
     #[serde(flatten)]
     errors: Errors,
@@ -235,7 +257,7 @@ impl Report {
         if let Some(rounding) = &self.rounding {
             text.push_str(&line("exact, on rounded vertices", rounding, Some(Errors::default())));
         }
-        let software = self.software.iter().map(|s| line(s.test, &s.errors, s.on_rounded_vertices));
+        let software = self.software.iter().map(|s| line(&s.test, &s.errors, s.on_rounded_vertices));
         text.extend(software);
         text
     }
@@ -246,7 +268,14 @@ mod tests {
     use super::*;
 
     fn answer(verdict: Verdict, truth: Exact) -> Answer {
-        Answer { verdict, host_decided: false, truth, rounded: None, software: [truth != Exact::Separate; TESTS] }
+        Answer {
+            verdict,
+            host_decided: false,
+            truth,
+            rounded: None,
+            software: [truth != Exact::Separate; TESTS],
+            other: None,
+        }
     }
 
     #[test]
@@ -261,7 +290,7 @@ mod tests {
             .add(6, &answer(Verdict::Intersect, Exact::Touch));
         for sum in [one.clone().merge(&other), other.clone().merge(&one)] {
             assert_eq!(sum.first_wrong, Some(5));
-            let report = sum.report("x".to_owned(), None, None);
+            let report = sum.report("x".to_owned(), None, None, None);
             assert_eq!((report.wrong.efsat, report.pairs), (3, 6));
             assert!(report.table().contains("EFSAT, definite                                   3   50.0000 %"));
         }

@@ -27,10 +27,10 @@ const LATENCY: RangeInclusive<u32> = 1..=1000;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Options of --engine")]
 pub(super) struct EngineRun {
-    /// Simulate the collision engine, clock by clock: a query for each two objects of --scene whose boxes overlap in a frame.
+    /// Simulate the collision engine, clock by clock: a query for each two objects of the scene whose boxes overlap in a frame.
     /// --simulator verilator and ghdl run all of it, builtin its two units alone with what the queries give them; --limit takes a
     /// sample of the queries [default: all, with ghdl 8]
-    #[arg(long, conflicts_with_all = ["pairs", "random", "seed", "netlist", "wave", "probe"])]
+    #[arg(long, conflicts_with_all = ["random", "seed", "netlist", "wave", "probe"])]
     pub engine: bool,
     /// With --engine: the engine that takes pairs by number, with the leaf pairs that the traversal would have found, a packet for
     /// each query
@@ -233,7 +233,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         false => options.params.design(&arguments.params)?,
         true => options.params.design_by_number(&arguments.params)?,
     };
-    let name = arguments.source.scene.as_deref().unwrap_or(HEADLIGHT);
+    let name = arguments.file.as_ref().or(arguments.source.scene.as_ref()).map_or(HEADLIGHT, String::as_str);
     let scene = load_scene(name)?;
     let numbers = Numbers::new(&design.params, &design.unit.params).map_err(DesignError::from)?;
     let held = Images::new(&scene.meshes().0, numbers).map_err(|e| Failure::Usage(format!("{name}: {e}")))?;

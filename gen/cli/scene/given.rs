@@ -2,9 +2,10 @@
 
 use super::directions;
 use crate::error::{Failure, from_clap};
-use crate::params::ParamArguments;
+use crate::params::{EngineArguments, ParamArguments};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
+use efsat_engine::artefact::EngineDesign;
 use efsat_geometry::collide::hierarchy::Directions;
 use efsat_studies::planner::{Request, Stages, Wish};
 use efsat_unit::host::settings::{Effect, Parameter, Settings, Switch};
@@ -37,15 +38,14 @@ pub(super) struct GivenArguments {
 }
 
 impl GivenArguments {
-    /// The parameters of a unit that is not planned.
-    pub fn unit(&self, file: &str, settings: &Settings) -> Result<ParamArguments, Failure> {
-        Ok(self.options.arguments(file, &settings.parameters, false)?.0)
+    /// An engine around a unit that is not planned.
+    pub fn engine(&self, file: &str, settings: &Settings, engine: &EngineArguments) -> Result<EngineDesign, Failure> {
+        Ok(self.options.fitting(file, &settings.parameters, false, |unit| engine.design(unit))?.0)
     }
 
     /// What is asked for in all.
     pub fn request(&self, file: &str, settings: &Settings) -> Result<Request, Failure> {
-        let (arguments, given) = self.options.arguments(file, &settings.parameters, true)?;
-        let params = arguments.params()?;
+        let (params, given) = self.options.fitting(file, &settings.parameters, true, ParamArguments::params)?;
         if params.method == Method::Exact {
             let why =
                 "--method exact: expected axes or determinants, which have stages to plan; the exact unit has none";
@@ -128,14 +128,15 @@ impl FromArgMatches for Options {
 }
 
 impl Options {
-    /// The parameters, and the names of those that were given in the file or typed. The full unit has all stages where nothing
-    /// else is given.
-    fn arguments(
+    /// What fits the parameters, and the names of those that were given in the file or typed. The full unit has all stages where
+    /// nothing else is given.
+    fn fitting<T>(
         &self,
         file: &str,
         of_file: &[Parameter],
         full: bool,
-    ) -> Result<(ParamArguments, Vec<String>), Failure> {
+        fits: impl Fn(&ParamArguments) -> Result<T, Failure>,
+    ) -> Result<(T, Vec<String>), Failure> {
         let is_typed = |name: &str| self.typed.iter().any(|(typed, _)| typed == name);
         let kept: Vec<&Parameter> = of_file.iter().filter(|parameter| !is_typed(&parameter.name)).collect();
         // One by one first, so that the line of the file can be named.
@@ -153,12 +154,11 @@ impl Options {
             // The unit with all stages has 17, and as many axis units are legal.
             words.push("--axes=17".to_owned());
         }
-        let fits = |arguments: ParamArguments| arguments.params().map(|_| arguments);
-        let arguments = parse(&words).and_then(fits).map_err(|e| match &kept[..] {
+        let found = parse(&words).and_then(|arguments| fits(&arguments)).map_err(|e| match &kept[..] {
             [] => e,
             _ => within(file, e),
         })?;
-        Ok((arguments, given.into_iter().map(|(name, _)| name).collect()))
+        Ok((found, given.into_iter().map(|(name, _)| name).collect()))
     }
 }
 

@@ -3,7 +3,9 @@
 use super::directions;
 use super::summary::Summary;
 use crate::error::Failure;
-use crate::output::{failure, print};
+use crate::file::{self, Output};
+use crate::output::{failure, print, quoted};
+use crate::places::{self, Places};
 use crate::progress;
 use crate::source::load_scene;
 use efsat_geometry::collide::hierarchy::{Directions, Scratch, Statistics, batches, first_hit};
@@ -17,6 +19,7 @@ use serde::Serialize;
 use std::collections::HashSet;
 use std::fmt;
 use std::io::{self, BufWriter, StdoutLock, Write};
+use std::path::{Path, PathBuf};
 
 /// Finds the pairs of triangles that a tree of k-DOPs cannot tell apart, frame by frame, and those of them that touch
 ///
@@ -31,6 +34,13 @@ pub(super) struct Arguments {
     /// Directions of the bounding volumes
     #[arg(long, value_name = "K", default_value = "18", value_parser = directions, allow_negative_numbers = true)]
     k: Directions,
+    /// Write the numbers of every pair that is tested to FILE, as `classify` reads them: .csv or .f64, both triangles in the frame
+    /// of A, the corners of B rounded once
+    #[arg(long, value_name = "FILE", value_parser = numbers, conflicts_with = "first_hit")]
+    out: Option<PathBuf>,
+    /// Write where each of these pairs is to FILE, as CSV: frame, objects, faces in their files
+    #[arg(long, value_name = "FILE", value_parser = file::rows, conflicts_with = "first_hit")]
+    index: Option<PathBuf>,
     /// Stop at the first pair of triangles that touch, in every meeting of two objects
     #[arg(long)]
     first_hit: bool,
@@ -58,6 +68,9 @@ struct Row {
     /// Of components that are not apart.
     #[serde(skip_serializing_if = "Option::is_none")]
     containment: Option<Vec<Nested>>,
+    /// The pairs tested, if they are written.
+    #[serde(skip)]
+    candidates: Vec<(Meeting, Vec<(u32, u32)>)>,
 }
 
 /// How two components of two objects lie.
@@ -120,6 +133,8 @@ struct Search<'a> {
     near: Near<'a>,
     forest: Forest,
     first_hit: bool,
+    /// Whether the pairs tested are kept.
+    keeps: bool,
     /// Those of the objects, if they are asked for.
     components: Option<Vec<Components>>,
 }
@@ -128,13 +143,20 @@ impl Search<'_> {
     fn row(&self, frame: usize, scratch: &mut Scratch) -> Row {
         let mut counts = Counts::default();
         let mut containment = self.components.as_ref().map(|_| vec![]);
+        let mut candidates = vec![];
         for meeting in self.near.meetings(frame) {
             let (found, nested) = self.meeting(&meeting, scratch);
+            if self.keeps {
+                let ([a, b], mut pairs) = (self.forest.trees(&meeting), vec![]);
+                batches(a, b, &meeting.pose, scratch, |found| pairs.extend_from_slice(found));
+                pairs.sort_unstable();
+                candidates.push((meeting, pairs));
+            }
             counts = counts.plus(&found);
             containment.iter_mut().for_each(|all| all.extend(nested.iter().cloned()));
         }
         let Frame { label, distance, .. } = self.scene.frame(frame);
-        Row { frame, label, distance, counts, containment }
+        Row { frame, label, distance, counts, containment, candidates }
     }
 
     fn meeting(&self, meeting: &Meeting, scratch: &mut Scratch) -> (Counts, Vec<Nested>) {
@@ -242,7 +264,6 @@ impl Sink {
             }
             Self::Csv(out) => {
                 let numbers = row.counts.list().map(|count| count.to_string()).join(",");
-                let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
                 write!(out, "{},{},{numbers}", row.frame, quoted(&row.label)).map_err(failure)?;
                 if let Some(list) = &row.containment {
                     let list: Vec<String> = list.iter().map(Nested::to_string).collect();
@@ -265,6 +286,58 @@ impl Sink {
     }
 }
 
+/// The files of pairs.
+struct Candidates<'a> {
+    near: &'a Near<'a>,
+    places: Places<'a>,
+    /// Of numbers, and whether they are raw.
+    out: Option<(Output, bool)>,
+    index: Option<Output>,
+}
+
+impl<'a> Candidates<'a> {
+    fn new(arguments: &Arguments, search: &'a Search<'a>) -> Result<Self, Failure> {
+        file::distinct(arguments.out.iter().chain(&arguments.index).map(PathBuf::as_path))?;
+        let places = Places::new(search.scene);
+        let is_raw = |path: &Path| path.extension() == Some("f64".as_ref());
+        let numbers = |path: &Path| Output::new(path).map(|file| (file, is_raw(path)));
+        let mut out = arguments.out.as_deref().map(numbers).transpose()?;
+        let mut index = arguments.index.as_deref().map(Output::new).transpose()?;
+        if let Some((out, false)) = &mut out {
+            out.write(places::numbers() + "\n")?;
+        }
+        index.as_mut().map_or(Ok(()), |index| index.write(places.columns("") + "\n"))?;
+        Ok(Self { near: &search.near, places, out, index })
+    }
+
+    fn take(&mut self, row: &Row) -> Result<(), Failure> {
+        for (meeting, pair) in
+            row.candidates.iter().flat_map(|(meeting, pairs)| pairs.iter().map(move |pair| (meeting, *pair)))
+        {
+            if let Some((out, is_raw)) = &mut self.out {
+                let points = places::points(self.near.meshes(meeting), &meeting.pose, pair);
+                match is_raw {
+                    true => points.as_flattened().iter().try_for_each(|x| out.write(x.to_le_bytes()))?,
+                    false => out.write(places::fields(&points) + "\n")?,
+                }
+            }
+            if let Some(index) = &mut self.index {
+                index.write(self.places.row(&places::place(meeting, pair), "") + "\n")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn finish(self) -> Result<(), Failure> {
+        self.out.map(|(out, _)| out).into_iter().chain(self.index).try_for_each(Output::finish)
+    }
+}
+
+/// The name of a file of numbers.
+fn numbers(text: &str) -> Result<PathBuf, String> {
+    file::ending(text, &["csv", "f64"])
+}
+
 fn json(value: &impl Serialize) -> String {
     serde_json::to_string(value).expect("keys are strings and numbers are finite")
 }
@@ -277,10 +350,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         near: Near::by_dops(&scene, true, None),
         forest: Forest::new(&scene, arguments.k),
         first_hit: arguments.first_hit,
+        keeps: arguments.out.is_some() || arguments.index.is_some(),
         components,
     };
     let frames = scene.frames();
     let bar = progress::bar("finding pairs", frames as u64, "poses", !arguments.summary);
+    let mut candidates = Candidates::new(arguments, &search)?;
     let mut sink = Sink::new(arguments, &search)?;
     let mut total = Counts::default();
     // Some frames at a time, so that memory does not grow with their number.
@@ -291,9 +366,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         for row in &rows {
             total = total.plus(&row.counts);
             sink.take(row)?;
+            candidates.take(row)?;
         }
         bar.inc(rows.len() as u64);
     }
     bar.finish_and_clear();
+    candidates.finish()?;
     sink.finish(&total)
 }

@@ -7,20 +7,21 @@ use super::given::GivenArguments;
 use crate::error::Failure;
 use crate::file::{self, Output};
 use crate::generate::command_line;
-use crate::output::{failure, warn};
+use crate::output::{failure, reasoned, warn};
 use crate::params::choice;
+use crate::places::Places;
 use crate::source::{count, load_planned, seed};
 use crate::{output, progress};
 use efsat_checks::cosim::Simulator;
 use efsat_geometry::scene::Scene;
 use efsat_studies::planner::picture::Picture;
 use efsat_studies::planner::{
-    self, Contact, Cosimulation, Counted, Counts, Front, Options, Place, Plan, Row, Sampling, Total, Viewer,
+    self, Contact, Cosimulation, Counted, Counts, Front, Options, Place, Plan, Row, Sampling, Total, Undecided, Viewer,
 };
 use efsat_unit::artefact::{FileSet, Packaging, design_files};
 use efsat_unit::design::Design;
 use efsat_unit::pair::Verdict;
-use efsat_unit::params::options::Choice;
+use efsat_unit::params::{Params, options::Choice};
 use engine::EngineOptions;
 use report::{End, Report, words};
 use std::path::{Path, PathBuf};
@@ -51,7 +52,8 @@ pub(super) struct Arguments {
     /// Write the rows to FILE, as CSV
     #[arg(long, value_name = "FILE", value_parser = table)]
     csv: Option<PathBuf>,
-    /// Write the pairs of triangles that touch to FILE, as CSV, each with the exact answer
+    /// Write the pairs of triangles that touch or are undecided to FILE, as CSV, each with the exact answer; of undecided ones
+    /// why, the gap that was measured and its error
     #[arg(long, value_name = "FILE", value_parser = table)]
     pairs: Option<PathBuf>,
     /// Draw a pose to FILE, .svg or .png: what touches coloured by verdict
@@ -186,11 +188,6 @@ impl Arguments {
     }
 }
 
-/// A field of a CSV file.
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('"', "\"\""))
-}
-
 /// The files that are written beside the design, or into its directory.
 #[derive(Default)]
 struct Outputs {
@@ -217,12 +214,36 @@ impl Outputs {
     }
 }
 
+/// The file of pairs, and what its rows are made of.
+struct Pairs<'a> {
+    file: Output,
+    places: Places<'a>,
+    undecided: Undecided<'a>,
+}
+
+impl<'a> Pairs<'a> {
+    fn new(mut file: Output, scene: &'a Scene, params: &Params) -> Result<Self, Failure> {
+        let places = Places::new(scene);
+        file.write(places.columns(",verdict,exact,reason,gap,error") + "\n")?;
+        Ok(Self { file, places, undecided: Undecided::new(scene, params) })
+    }
+
+    fn take(&mut self, frame: usize, contacts: &[Contact]) -> Result<(), Failure> {
+        for (contact, reason) in contacts.iter().zip(self.undecided.reasons(frame, contacts)) {
+            let verdict = contact.verdict.map_or("software".to_owned(), |verdict: Verdict| verdict.to_string());
+            let exact = contact.exact.map_or(String::new(), |exact| exact.to_string());
+            let others = format!(",{verdict},{exact},{}", reasoned(reason.as_ref()));
+            self.file.write(self.places.row(&contact.place, &others) + "\n")?;
+        }
+        Ok(())
+    }
+}
+
 /// Where the frames go.
 struct Sinks<'a> {
-    scene: &'a Scene,
     report: Report,
     csv: Option<Output>,
-    pairs: Option<Output>,
+    pairs: Option<Pairs<'a>>,
     viewer: Option<Viewer<'a, 'a>>,
 }
 
@@ -230,19 +251,17 @@ impl<'a> Sinks<'a> {
     /// Writes the first lines of tables.
     fn new<C: Counted>(
         scene: &'a Scene,
+        params: &Params,
         report: Report,
         viewer: Option<Viewer<'a, 'a>>,
         mut csv: Option<Output>,
-        mut pairs: Option<Output>,
+        pairs: Option<Output>,
     ) -> Result<Self, Failure> {
         if let Some(csv) = &mut csv {
             csv.write(report::heads::<C>())?;
         }
-        if let Some(pairs) = &mut pairs {
-            let parts = if are_split(scene) { ",part_a,part_b" } else { "" };
-            pairs.write(format!("frame,a,b,triangle_a,triangle_b,verdict,exact{parts}\n"))?;
-        }
-        Ok(Self { scene, report, csv, pairs, viewer })
+        let pairs = pairs.map(|file| Pairs::new(file, scene, params)).transpose()?;
+        Ok(Self { report, csv, pairs, viewer })
     }
 
     /// Ends tables and page; the report is left.
@@ -254,7 +273,7 @@ impl<'a> Sinks<'a> {
             file.write(viewer.page(command_line))?;
             file.finish()?;
         }
-        self.csv.into_iter().chain(self.pairs).try_for_each(Output::finish)?;
+        self.csv.into_iter().chain(self.pairs.map(|pairs| pairs.file)).try_for_each(Output::finish)?;
         Ok(self.report)
     }
 
@@ -264,31 +283,13 @@ impl<'a> Sinks<'a> {
             csv.write(report::line(row))?;
         }
         if let Some(pairs) = &mut self.pairs {
-            for contact in contacts.iter().filter(|contact| contact.touches()) {
-                pairs.write(pair(self.scene, contact))?;
-            }
+            pairs.take(row.frame, contacts)?;
         }
         if let Some(viewer) = &mut self.viewer {
             viewer.take(row, contacts);
         }
         Ok(())
     }
-}
-
-/// Whether a face of a mesh file is more than one triangle, so that its number does not name one.
-fn are_split(scene: &Scene) -> bool {
-    scene.objects.iter().any(|object| object.findings.numbers.are_split())
-}
-
-/// A row of the file of pairs, with the numbers of the faces in their files.
-fn pair(scene: &Scene, contact: &Contact) -> String {
-    let Place { frame, objects: (a, b), pair: (p, q) } = contact.place;
-    let [[p, part], [q, other]] = [(a, p), (b, q)].map(|(object, p)| scene.objects[object].findings.numbers.of(p));
-    let parts = if are_split(scene) { format!(",{part},{other}") } else { String::new() };
-    let [a, b] = [a, b].map(|object| quoted(&scene.objects[object].name));
-    let verdict = contact.verdict.map_or("software".to_owned(), |verdict: Verdict| verdict.to_string());
-    let exact = contact.exact.map_or(String::new(), |exact| exact.to_string());
-    format!("{frame},{a},{b},{p},{q},{verdict},{exact}{parts}\n")
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -326,7 +327,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let options = Options { sampling: arguments.sampling(), exact, seed: arguments.seed.unwrap_or(1) };
     let report = Report::new::<Counts>(arguments.json, arguments.summary, "plan", &plan)?;
     let viewer = view.is_some().then(|| Viewer::new(&front, &plan.params));
-    let mut sinks = Sinks::new::<Counts>(&scene, report, viewer, csv, pairs)?;
+    let mut sinks = Sinks::new::<Counts>(&scene, &plan.params, report, viewer, csv, pairs)?;
     let bar = progress::bar("answering", scene.frames() as u64, "poses", !arguments.summary);
     let mut waiting: Vec<Place> = vec![];
     let total = planner::run(&front, &plan, options, |row, contacts, all| {

@@ -69,6 +69,7 @@ pub(super) fn run(arguments: &Arguments, families: &[&'static Family], base: Par
         arguments.log.as_ref().map(|path| Log::open(path, once.question(), |block| once.fits(block))).transpose()?;
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let bar = progress::bar("testing", blocks.div_ceil(shard.count as u64) * whole, "pairs", false);
+    arguments.log.iter().for_each(|log| progress::kept(log, &bar));
     let mut sum = Block::default();
     for number in (0..blocks).filter(|number| shard.has(*number as usize)) {
         if let Some(block) = log.as_ref().and_then(|log| log.blocks().get(&number)) {

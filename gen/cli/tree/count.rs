@@ -12,7 +12,6 @@ use efsat_engine::params::{EngineParams, FACTOR_BITS};
 use efsat_engine::words::Sums;
 use efsat_geometry::scene::{Meeting, Near};
 use efsat_unit::design::top::DesignError;
-use efsat_unit::params::Params;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt::Write;
@@ -106,7 +105,7 @@ impl Search<'_> {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let scene = load_scene(&arguments.file)?;
     let engine = EngineParams { factor_bits: arguments.factor_bits, ..arguments.volumes.engine() };
-    let unit = Params::default();
+    let unit = engine.unit();
     let numbers = Numbers::new(&engine, &unit).map_err(DesignError::from)?;
     let model = Model::new(&engine, &unit).map_err(DesignError::from)?;
     let images =

@@ -9,7 +9,7 @@ use efsat_hardware::vhdl::lint::lint;
 use efsat_unit::artefact::file_lists::FileLists;
 use efsat_unit::artefact::{DesignFilesError, FileSet, Prefix};
 use efsat_unit::design::top::pace;
-use efsat_unit::parts::{FileRow, Project, add_top, board, manifest};
+use efsat_unit::parts::{FileRow, Project, RETEST, add_top, board, manifest};
 use efsat_unit::words::PacketKind;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -148,6 +148,15 @@ pub fn engine_design_files_with(
             "The words of the streams in C: packing of packets, unpacking of answers.",
         ),
         row(&format!("host/{prefix}{NAME}.py"), "The same in Python."),
+        row(&format!("host/{prefix}{NAME}_image.h"), "A reader of images in C, which checks them."),
+        row(
+            &format!("host/{prefix}{NAME}_pose.h"),
+            match design.by_number {
+                false => "From a pose to the numbers of a query, in C.",
+                true => "From a pose to the head of a packet, in C.",
+            },
+        ),
+        row(&format!("host/{prefix}{RETEST}.h"), "The exact answer to pairs that are possibly incorrect, in C."),
         row(
             &constants,
             "Formats, headers and places in the words of the streams, as VHDL constants for those who instantiate the engine.",

@@ -2,14 +2,14 @@
 
 use super::{EngineDesign, NAME};
 use crate::format::EngineFormat;
-use crate::host::TRIANGLES_AT;
+use crate::host::{FINE, Header as ImageHeader, LINE, Numbers, TRIANGLES_AT};
 use crate::params::Memory;
-use crate::words::{Command, EngineAnswer, EngineReport, QueryFlags, Reason};
+use crate::words::{BlockLayout, Command, EngineAnswer, EngineReport, LINK_NUMBER_BITS, QueryFlags, Reason};
 use askama::Template;
 use efsat_unit::artefact::Prefix;
 use efsat_unit::pair::Verdict;
 use efsat_unit::params::Quantity;
-use efsat_unit::parts::{HostSide, constants_package};
+use efsat_unit::parts::{HostSide, RETEST, constants_package, retest};
 use efsat_unit::words::REPORT;
 use efsat_unit::words::constants::{Constant, Group};
 use std::ops::Deref;
@@ -23,6 +23,18 @@ struct Host<'a> {
     is_sticky: bool,
     block_ram: bool,
     by_number: bool,
+    /// Names of this header and of that of the retest, without an ending, and the latter as constants begin.
+    file: String,
+    retest: String,
+    retest_upper: String,
+    /// Constants of images, and of poses.
+    image: Vec<Group>,
+    pose: Vec<Group>,
+    /// The first bytes of an image, how many directions there are, each of them, and those of each choice of a row.
+    head: String,
+    k: u32,
+    vectors: String,
+    choices: String,
 }
 
 impl<'a> Deref for Host<'a> {
@@ -40,6 +52,20 @@ struct Header<'a> {
     h: &'a Host<'a>,
 }
 
+/// The reader of images in C.
+#[derive(Template)]
+#[template(path = "host/efsat_engine_image.h", escape = "none")]
+struct ImageReader<'a> {
+    h: &'a Host<'a>,
+}
+
+/// The numbers of a pose in C.
+#[derive(Template)]
+#[template(path = "host/efsat_engine_pose.h", escape = "none")]
+struct PoseNumbers<'a> {
+    h: &'a Host<'a>,
+}
+
 /// The file in Python.
 #[derive(Template)]
 #[template(path = "host/efsat_engine.py", escape = "none")]
@@ -54,7 +80,7 @@ pub(super) fn package(design: &EngineDesign, prefix: &Prefix) -> (String, String
 }
 
 /// The files of the host side: names and texts.
-pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String); 2] {
+pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String); 5] {
     let refusals = [
         ("ENTRY", Quantity::Entry.name()),
         ("TRANSLATION", Quantity::Translation.name()),
@@ -67,10 +93,19 @@ pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String)
         ("ADDRESS", "no multiple of 64 in memory, address"),
         ("ANSWER_NUMBER", "report of query"),
         ("COUNT", "pairs of a verdict in the answer, as the report counts them"),
+        IMAGE[0],
+        IMAGE[1],
+        IMAGE[2],
+        ("HEIGHT", "height of the tree of A (0) or B (1),"),
+        ("BLOCKS", "blocks of A (0) or B (1),"),
         ("MOVE", "a way that is no multiple of 64 or leaves memory"),
         ("NO_REPORT", "an answer without a report that is due at its end, words"),
         ("PAIR", "a word that is no pair of the objects, word"),
         ("TWICE", "a pair of triangles twice, word"),
+        BITS[0],
+        BITS[1],
+        BITS[2],
+        BITS[3],
     ];
     let of_numbers = [
         refusals[0],
@@ -81,9 +116,19 @@ pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String)
         refusals[8],
         ("ANSWER_NUMBER", "report of packet"),
         ("COUNT", "pairs in the answer, as report and packet say"),
+        IMAGE[0],
+        IMAGE[1],
+        IMAGE[2],
         ("NO_REPORT", "an answer without a report that is due at its end, words"),
         ("PAIR", "a word that is not the next one of the pairs, word"),
+        BITS[0],
+        BITS[1],
+        BITS[2],
+        BITS[3],
     ];
+    let format = &design.format;
+    let vectors: Vec<[i8; 3]> = (0..format.directions.count()).map(|index| format.directions.vector(index)).collect();
+    let list = |numbers: &[i8]| format!("{{{}}}", numbers.iter().map(i8::to_string).collect::<Vec<_>>().join(", "));
     let (name, constants) = ((NAME, prefix), (groups(design), &design.unit.params));
     let host = Host {
         side: match design.by_number {
@@ -95,11 +140,98 @@ pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String)
         slots: design.format.directions.slots().map(|slot| slot.len().to_string()).join(", "),
         is_sticky: design.format.sticky,
         block_ram: design.params.memory == Memory::BlockRam,
+        file: prefix.of(NAME),
+        retest: prefix.of(RETEST),
+        retest_upper: prefix.of(RETEST).to_uppercase(),
+        image: vec![Group { what: "Images.", constants: of_images(format) }],
+        pose: vec![Group { what: "Numbers of a pose.", constants: of_poses(design) }],
+        head: ImageHeader::head(format)
+            .iter()
+            .flat_map(|word| word.to_le_bytes())
+            .map(|x| x.to_string())
+            .collect::<Vec<_>>()
+            .join(", "),
+        k: format.k(),
+        vectors: vectors.iter().map(|vector| list(vector)).collect::<Vec<_>>().join(", "),
+        choices: format
+            .directions
+            .slots()
+            .map(|slot| list(&slot.iter().map(|&x| x as i8).collect::<Vec<_>>()))
+            .join(", "),
     };
     let render = |text: Result<String, askama::Error>| text.expect("the template renders");
     [
         (format!("host/{}.h", prefix.of(NAME)), render(Header { h: &host }.render())),
         (format!("host/{}.py", prefix.of(NAME)), render(Module { h: &host }.render())),
+        (format!("host/{}_image.h", prefix.of(NAME)), render(ImageReader { h: &host }.render())),
+        (format!("host/{}_pose.h", prefix.of(NAME)), render(PoseNumbers { h: &host }.render())),
+        retest(prefix),
+    ]
+}
+
+/// What is refused of images, as found in a range.
+const IMAGE: [(&str, &str); 3] = [
+    ("IMAGE_FIELD", "field of an image, or of a block or triangle, at byte"),
+    ("IMAGE_SIZE", "bytes of an image"),
+    ("SCALE", "power of the scale of image"),
+];
+
+/// What is refused of images and poses, as bits.
+const BITS: [(&str, &str); 4] = [
+    ("IMAGE_LINK", "a link that makes no tree, or none, in the block at byte"),
+    ("IMAGE_CODE", "a code that excludes a triangle below it, in the block at byte"),
+    ("NOT_FINITE", "not finite, here as bits: number"),
+    ("WORDS", "more words are needed for number"),
+];
+
+fn of_images(format: &EngineFormat) -> Vec<Constant> {
+    let number = Constant::number;
+    let (block, triangle) = (format.block(), format.triangle());
+    let (grid, word) = (format.grid_fraction(), format.word_fraction());
+    vec![
+        number("image_directions", format.k(), "directions of a volume"),
+        number("image_header_bytes", LINE, "bytes of the header"),
+        number("image_block_bytes", block.stride, "from block to block"),
+        number("image_triangle_bytes", triangle.stride, "from triangle to triangle"),
+        number("image_face_bits", triangle.number_bits, "the face of a triangle, its lowest bits"),
+        number("image_most_triangles", 1 << LINK_NUMBER_BITS, "the most triangles of any image"),
+        number("block_origin_bits", block.origin_bits, "bits of a coordinate of an origin, from bit 64 of a block on"),
+        number("block_most_origin", format.most_origin() as u32, "its greatest magnitude"),
+        number("block_exponent_low", block.exponent_at, "the exponent, four bits"),
+        number("block_tag_low", block.tag_at, "the tag, and zeros above it"),
+        number("block_tag", block.tag, "what it is"),
+        number("block_codes_low", BlockLayout::CODES_AT, "the codes of the left child, then those of the right one"),
+        number("block_code_bits", block.code_bits, "bits of a code"),
+        number("block_most_code", format.most() as u32, "its greatest magnitude"),
+        number("block_bits", block.bits, "bits that mean something"),
+        number(
+            "triangle_head_bits",
+            triangle.number_bits + if format.sticky { 9 } else { 0 },
+            "the face and sticky bits",
+        ),
+        number("triangle_step", triangle.lane, "bits from number to number, and to the first one"),
+        number("triangle_one", 1 << word, "1 as a coordinate"),
+        number("origin_shift", format.origin_shift(), "from origins to the grid"),
+        number("held_shift", word.max(grid) - grid, "from the grid to its or the coordinates' units, the finer ones"),
+        number("reach_shift", word.max(grid) - word, "from coordinates to them"),
+    ]
+}
+
+fn of_poses(design: &EngineDesign) -> Vec<Constant> {
+    let (number, format) = (Constant::number, &design.format);
+    let fraction = number("fraction_bits", format.word_fraction(), "fraction bits of a number of the pose");
+    if design.by_number {
+        return vec![fraction];
+    }
+    vec![
+        fraction,
+        number("image_most_blocks", 1 << design.params.block_number_bits, "the most blocks of an image"),
+        number("fine_bits", FINE, "fraction bits in which rows are computed"),
+        number("matrix_shift", format.matrix_shift() as u32, "dropped bits of an entry that meets an origin"),
+        number("origin_drop", FINE - format.origin_fraction(), "bits between them and origins"),
+        number("grid_drop", FINE - format.grid_fraction(), "bits between them and the grid"),
+        number("factor_drop", FINE - format.factor_fraction(), "bits between them and factors"),
+        number("shift_rounding", Numbers::shift_rounding(format), "roundings of the shift, in steps of the grid"),
     ]
 }
 

@@ -9,7 +9,7 @@ use efsat_hardware::device::block_rams;
 const PAIR_BITS: u32 = 2 * EngineAnswer::NUMBER_BITS;
 
 impl EngineDesign {
-    /// Block RAMs of 18 kbit that the engine is expected to take: of its memory or its caches, its stack and its queue of pairs.
+    /// Block RAMs of 18 kbit that the engine is expected to take: of its memory or its caches, its stacks and its queue of pairs.
     pub fn block_rams(&self) -> u64 {
         let values = Values::new(self);
         let of = |places: u32, bits: u32| block_rams(places.into(), bits.into());
@@ -24,7 +24,7 @@ impl EngineDesign {
             return stores.sum();
         }
         stores.sum::<u64>()
-            + of(values.traversal.stack_places, values.traversal.entry_bits)
-            + of(values.traversal.pairs, PAIR_BITS)
+            + u64::from(self.params.queries) * of(values.traversal.stack_places, values.traversal.entry_bits)
+            + of(values.traversal.all_pairs, PAIR_BITS)
     }
 }

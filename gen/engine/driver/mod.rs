@@ -14,9 +14,9 @@
 //! use efsat_geometry::scene::{Pose, Scene};
 //! use efsat_engine::driver::{Objects, QueryOptions, StandIn};
 //! use efsat_engine::params::EngineParams;
-//! use efsat_unit::params::Params;
 //!
-//! let (engine, unit) = (EngineParams::default(), Params::default());
+//! let engine = EngineParams::default();
+//! let unit = engine.unit();
 //! let mesh = headlight();
 //! let objects = Objects::new(&engine, &unit, &[&mesh])?;
 //! let mut stand_in = StandIn::new(&objects)?;

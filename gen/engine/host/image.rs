@@ -67,10 +67,8 @@ impl Header {
         self.triangles_at() + u64::from(self.triangles) * u64::from(self.format.triangle().stride)
     }
 
-    /// Its eight words.
-    pub fn words(&self) -> [u64; 8] {
-        let format = &self.format;
-        let both = |low: u32, high: u32| u64::from(low) | u64::from(high) << 32;
+    /// The first two words of an image of a format.
+    pub(crate) fn head(format: &EngineFormat) -> [u64; 2] {
         let bytes = [
             format.k(),
             format.offset_bits,
@@ -81,10 +79,17 @@ impl Header {
             format.sticky.into(),
             0,
         ];
+        [MAGIC, bytes.map(|byte| byte as u8)].map(u64::from_le_bytes)
+    }
+
+    /// Its eight words.
+    pub fn words(&self) -> [u64; 8] {
+        let both = |low: u32, high: u32| u64::from(low) | u64::from(high) << 32;
+        let [magic, format] = Self::head(&self.format);
         let [x, y, z] = self.centre.map(f64::to_bits);
         [
-            u64::from_le_bytes(MAGIC),
-            u64::from_le_bytes(bytes.map(|byte| byte as u8)),
+            magic,
+            format,
             both(self.blocks, self.triangles),
             both(self.blocks_at(), self.triangles_at() as u32),
             both(self.power as u32, self.height),

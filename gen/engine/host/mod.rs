@@ -5,9 +5,9 @@
 //! use efsat_engine::host::{Image, Numbers, memory};
 //! use efsat_engine::model::Model;
 //! use efsat_engine::params::EngineParams;
-//! use efsat_unit::params::Params;
 //!
-//! let (engine, unit) = (EngineParams::default(), Params::default());
+//! let engine = EngineParams::default();
+//! let unit = engine.unit();
 //! let numbers = Numbers::new(&engine, &unit)?;
 //! let image = Image::build(&[&headlight()], numbers.format())?.remove(0);
 //!
@@ -33,6 +33,8 @@ pub use build::BuildError;
 pub use image::{Header, Image, ImageError, memory};
 pub use images::Images;
 // For the memory model of the testbench.
+pub(crate) use image::LINE;
 #[doc(hidden)]
 pub use layout::{Layout, TRIANGLES_AT};
+pub(crate) use numbers::FINE;
 pub use numbers::{Numbers, Refusal};

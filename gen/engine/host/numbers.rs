@@ -74,7 +74,7 @@ pub enum Refusal {
 }
 
 /// Matrix entries are taken as multiples of 2^-FINE, or as lying between two of them.
-const FINE: u32 = 40;
+pub(crate) const FINE: u32 = 40;
 
 /// Makes queries for one engine.
 #[derive(Clone, Debug)]
@@ -182,19 +182,25 @@ impl Numbers {
         let grid = self.format.grid_fraction();
         let step = FINE - self.format.origin_fraction();
         let missed = exact.iter().zip(rounded).map(|(x, &rounded)| (x.floor - (rounded << step)).abs() + x.above);
-        let shift = 1i64 << grid.saturating_sub(self.format.word_fraction());
-        (up(missed.sum(), FINE - grid) + 1 + shift) as u32
+        (up(missed.sum(), FINE - grid) + i64::from(Self::shift_rounding(&self.format))) as u32
+    }
+
+    /// What the floor of the sum and the word of the shift are rounded by, in steps of the grid.
+    pub(crate) fn shift_rounding(format: &EngineFormat) -> u32 {
+        1 + (1 << format.grid_fraction().saturating_sub(format.word_fraction()))
     }
 
     /// The row of a direction h: w = M^T h as a sum of three directions, and an upper bound of what the rounded factors miss.
     pub(super) fn row(&self, h: usize, m: &[[f64; 3]; 3], fine: &[[Fine; 3]; 3]) -> Result<QueryRow, Refusal> {
         let format = &self.format;
         let normal = format.directions.vector(h);
-        let w = Matrix3::from_fn(|i, j| m[i][j]).transpose() * Vector3::from(normal.map(f64::from));
-        let (unit, most) = (2f64.powi(format.factor_fraction() as i32), f64::from((1 << format.factor_bits) - 1));
+        // Whole numbers below 2^53: nothing is rounded before the factors are.
+        let whole = Matrix3::from_fn(|i, j| (m[i][j] * 2f64.powi(FINE as i32)).trunc());
+        let w = whole.transpose() * Vector3::from(normal.map(f64::from));
+        let step = FINE - format.factor_fraction();
+        let (unit, most) = (2f64.powi(-(step as i32)), f64::from((1 << format.factor_bits) - 1));
         let terms = format.directions.in_slots(format.directions.combination(&w));
         let terms = terms.map(|(choice, factor)| (choice as u32, (factor * unit).round().clamp(0.0, most) as u32));
-        let step = FINE - format.factor_fraction();
         let missed = (0..3).map(|axis| {
             let kept = terms.iter().zip(format.directions.slots()).map(|(&(choice, factor), slot)| {
                 let n = format.directions.vector(slot[choice as usize].into())[axis];

@@ -43,9 +43,11 @@ pub struct Opened {
 pub struct Visits {
     /// For the volume unit.
     pub opened: Vec<Opened>,
+    /// The numbers of their blocks in the images.
+    pub nodes: Vec<[u32; 2]>,
     /// For the triangle unit, unless the query is answered without it.
     pub pairs: Vec<Pair>,
-    /// The numbers of their triangles in the images.
+    /// The numbers of their triangles in the images, also without a test.
     pub numbers: Vec<[u32; 2]>,
 }
 
@@ -237,6 +239,7 @@ impl Run<'_> {
         };
         if let Some(visits) = &mut self.visits {
             let take = [0, 1].map(|side| [0, 1].map(|child| chosen(side).any(|other| other == child)));
+            visits.nodes.push(nodes.map(|(number, _)| number));
             visits.opened.push(Opened { blocks: [blocks[0].clone(), blocks[1].clone()], take });
         }
         let mut survivors = [[false; 2]; 2];
@@ -312,6 +315,9 @@ impl Run<'_> {
         let records: Vec<[Triangle; 2]> =
             leaves.iter().map(|&pair| self.model.triangles(self.memory, &self.query.sides, pair)).collect();
         let mut verdicts = vec![];
+        if let Some(visits) = &mut self.visits {
+            visits.numbers.extend(&leaves);
+        }
         if self.query.leaf_pairs {
             verdicts.resize(records.len(), Verdict::PossiblyIncorrect);
         } else {
@@ -319,7 +325,6 @@ impl Run<'_> {
             (pairs, verdicts) = self.model.verdicts(&self.query.pose, &records);
             if let Some(visits) = &mut self.visits {
                 visits.pairs.extend(pairs);
-                visits.numbers.extend(leaves);
             }
         }
         for (verdict, [a, b]) in verdicts.into_iter().zip(records) {

@@ -6,8 +6,8 @@
 use crate::words::LINK_NUMBER_BITS;
 use efsat_geometry::directions::Directions;
 use efsat_unit::option_set;
-use efsat_unit::params::ParamError;
 use efsat_unit::params::options::Choice;
+use efsat_unit::params::{CLOCKS_PER_PAIR, Method, ParamError, Params};
 use efsat_unit::parts::Spelled;
 #[cfg(feature = "clap")]
 use efsat_unit::parts::{choice, one_of, whole};
@@ -102,13 +102,13 @@ option_set! {
     "axi-id-bits" axi_id_bits: u32 = 0,
         [value_name = "N", value_parser = whole(AXI_ID_BITS), allow_negative_numbers = true];
     /// Lines of the caches of blocks, half for each tree; with --memory block-ram the blocks of both trees
-    "block-lines" block_lines: u32 = 512,
+    "block-lines" block_lines: u32 = 1024,
         [value_name = "N", value_parser = one_of(LINES), allow_negative_numbers = true];
     /// Lines of the caches of triangles, half for each mesh; with --memory block-ram the triangles of both meshes
-    "triangle-lines" triangle_lines: u32 = 256,
+    "triangle-lines" triangle_lines: u32 = 1024,
         [value_name = "N", value_parser = one_of(LINES), allow_negative_numbers = true];
     /// Queries in flight, 2 or 4: while the oldest ends, the next ones begin
-    "queries" queries: u32 = 2,
+    "queries" queries: u32 = 4,
         [value_name = "N", value_parser = one_of(QUERIES), allow_negative_numbers = true];
     /// Pairs of nodes in flight, 1 to 64; fewer wait longer for memory
     "in-flight" in_flight: u32 = 16,
@@ -128,6 +128,13 @@ option_set! {
 }
 
 impl EngineParams {
+    /// The unit of an engine for which no other is chosen: determinants, as fast as the volume unit and no faster.
+    pub fn unit(&self) -> Params {
+        let keeps_up = |clocks: &u32| *clocks <= self.expansion_clocks;
+        let clocks_per_pair = CLOCKS_PER_PAIR.iter().copied().filter(keeps_up).max().unwrap_or(1);
+        Params { clocks_per_pair, ..Params::of(Method::Determinants) }
+    }
+
     /// Bits of the number of a lane, which a query in flight has.
     #[doc(hidden)]
     pub fn lane_bits(&self) -> u32 {

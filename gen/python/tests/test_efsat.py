@@ -3,6 +3,8 @@
 import ast
 import pathlib
 import re
+import subprocess
+import sys
 import threading
 import time
 from fractions import Fraction
@@ -30,12 +32,30 @@ def moved(*t):
     return pose
 
 
-PAGES = [ROOT / "docs/exact-software.md", ROOT / "gen/python/README.md"]
+PAGES = [ROOT / page for page in ["README.md", "docs/exact-software.md", "gen/python/README.md"]]
+BLOCKS = [(str(page.relative_to(ROOT)), block) for page in PAGES for block in re.findall(r"```python\n(.*?)```", page.read_text(), re.S)]
 
 
-@pytest.mark.parametrize("block", [block for page in PAGES for block in re.findall(r"```python\n(.*?)```", page.read_text(), re.S)])
-def test_the_python_of_the_pages_runs(block):
-    exec(compile(block, "a page", "exec"), {})
+@pytest.mark.parametrize("page, block", BLOCKS)
+def test_the_python_of_the_pages_runs(page, block):
+    exec(compile(block, page, "exec"), {})
+
+
+def test_every_page_has_a_block_and_that_of_the_readme_is_short():
+    assert {ROOT / page for page, _ in BLOCKS} == set(PAGES)
+    readme = [block for page, block in BLOCKS if page == "README.md"][0]
+    assert len([line for line in readme.splitlines() if line]) <= 10
+
+
+def test_the_examples_run(tmp_path):
+    def says(*words):
+        return subprocess.run([sys.executable, *words], check=True, capture_output=True, text=True).stdout
+
+    *rows, last = says(ROOT / "examples/python_fcl.py").splitlines()
+    assert last == "True overlap" and len(rows) > 20 and all("crossing" in row or "touching" in row for row in rows)
+    plot = tmp_path / "plot.pdf"
+    says(ROOT / "examples/accuracy_time.py", ROOT / "docs/accuracy/headlight/points.csv", plot)
+    assert plot.read_bytes().startswith(b"%PDF")
 
 
 def test_the_stubs_name_what_there_is():

@@ -25,6 +25,7 @@ mod run;
 mod sample;
 mod segment;
 mod stages;
+mod undecided;
 mod viewer;
 mod words;
 
@@ -42,5 +43,6 @@ pub use self::{
     measure::Tally,
     sample::Place,
     stages::Stages,
+    undecided::Undecided,
     viewer::Viewer,
 };

@@ -6,7 +6,7 @@ use super::outcome::{Contact, Counted, Row};
 use super::segment::segment;
 use askama::Template;
 use efsat_geometry::scene::{Frame, Pose};
-use efsat_unit::golden::Golden;
+use efsat_unit::golden::{Golden, Margin, Reason};
 use efsat_unit::host::{Host, ReadyMeeting, ReadyScene, ScenePose};
 use efsat_unit::pair::{Outcome, Verdict};
 use efsat_unit::params::{Method, Params};
@@ -75,9 +75,10 @@ struct Shown {
     contacts: Vec<Pair>,
 }
 
-/// Mark, objects, triangles, exact answer, a sign for each witness if the unit was asked, and the common segment.
+/// Mark, objects, triangles, exact answer, a sign for each witness if the unit was asked, the common segment, and why the pair is
+/// undecided.
 #[derive(Serialize)]
-struct Pair(usize, usize, usize, u32, u32, String, Option<String>, Option<[f32; 6]>);
+struct Pair(usize, usize, usize, u32, u32, String, Option<String>, Option<[f32; 6]>, Option<String>);
 
 /// Pairs that a page holds; with more of them browsers do not open it.
 const MOST: usize = 200_000;
@@ -141,7 +142,10 @@ impl<'a, 'b> Viewer<'a, 'b> {
                     signs
                 });
                 let exact = contact.exact.map_or(String::new(), |exact| exact.to_string());
-                pairs.push(Pair(Mark::of(contact) as usize, meeting.a, meeting.b, p, q, exact, says, ends));
+                let [a, b] = posed.faces((p, q));
+                let is_open = contact.verdict == Some(Verdict::PossiblyIncorrect);
+                let reason = is_open.then(|| host.pair(a, b).reason(&self.golden, &host.pose)).flatten().map(in_words);
+                pairs.push(Pair(Mark::of(contact) as usize, meeting.a, meeting.b, p, q, exact, says, ends, reason));
             }
         }
         self.frames.push(Shown {
@@ -217,6 +221,12 @@ impl<'a, 'b> Viewer<'a, 'b> {
         };
         page.render().expect("the template renders")
     }
+}
+
+/// Why a pair is undecided, with its margin.
+fn in_words(Reason { words, margin }: Reason) -> String {
+    let margin = margin.map(|Margin { gap, error }| format!(" (gap {gap}, error {error}, in units of the last place)"));
+    words + &margin.unwrap_or_default()
 }
 
 fn numbers(pose: &Pose) -> [f64; 12] {

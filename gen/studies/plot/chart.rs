@@ -163,10 +163,10 @@ impl Chart {
                     svg.push_str(&format!("<path d=\"M{x:.1} {y:.1}L{to_x:.1} {to_y:.1}\" stroke=\"{GREY}\"/>\n"));
                 }
                 let base = bottom - 0.25 * (SMALL + 3.0);
-                let style = format!(
-                    "{weight}font-size=\"{SMALL}\" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\""
-                );
-                svg.push_str(&text(left, base, &style, &label.text));
+                // A rim of its own below: not every program knows an order of painting.
+                for rim in [" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\"", ""] {
+                    svg.push_str(&text(left, base, &format!("{weight}font-size=\"{SMALL}\"{rim}"), &label.text));
+                }
             }
         }
         svg + "</svg>\n"

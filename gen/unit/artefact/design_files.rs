@@ -102,7 +102,7 @@ pub fn design_files_with(
     for (name, text) in host::files(design, &format, prefix) {
         set.insert(name, text);
     }
-    describe("host", "The words of the stream in C and in Python: constants, packing, unpacking.");
+    describe("host", "The words of the stream in C and in Python, and the exact retest in C.");
     describe(&lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
     example::add(&mut set, design, &format, prefix, &lists);
     describe("example", "The wrapped unit behind a UART, a whole design, and its testbench.");

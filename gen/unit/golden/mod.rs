@@ -21,6 +21,7 @@ mod lanes;
 mod losses;
 mod numbers;
 mod projection;
+mod reason;
 mod renormalise;
 #[cfg(test)]
 mod tests;
@@ -39,6 +40,9 @@ pub use losses::{Loss, Lossless};
 // For the study of what each rounding costs.
 #[doc(hidden)]
 pub use numbers::Numbers;
+// For the command line, the viewer and the package for Python.
+#[doc(hidden)]
+pub use reason::{Margin, Reason};
 // For the study of what each rounding costs.
 #[doc(hidden)]
 pub use unrounded::{AxisAnswer, Unrounded};

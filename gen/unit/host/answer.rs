@@ -1,7 +1,7 @@
 //! Answers of a unit with its host, beside the exact ones: the one place that says what a wrong answer is.
 
 use super::{Host, loose_pair};
-use crate::golden::Golden;
+use crate::golden::{Golden, Reason};
 use crate::pair::{Pose, Verdict};
 use crate::params::Params;
 use efsat_geometry::exact::{Exact, Relation};
@@ -45,6 +45,16 @@ impl Host {
         match self {
             Self::Unit(pair) => Answer { verdict: golden.verdict(pose, pair), host_decided: false },
             Self::Decided(verdict) => Answer { verdict: *verdict, host_decided: true },
+        }
+    }
+
+    /// Why a pair under a pose is possibly incorrect; none if it is not.
+    // For the command line and the viewer.
+    #[doc(hidden)]
+    pub fn reason(&self, golden: &Golden, pose: &Pose) -> Option<Reason> {
+        match self {
+            Self::Unit(pair) => golden.reason(pose, pair),
+            Self::Decided(verdict) => (*verdict == Verdict::PossiblyIncorrect).then(Reason::outside),
         }
     }
 }

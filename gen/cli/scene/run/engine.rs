@@ -121,11 +121,10 @@ pub(super) fn run(
     scene: &Scene,
     settings: &Settings,
 ) -> Result<(), Failure> {
-    let unit = arguments.given.unit(&arguments.file, settings)?;
     if machine == Answering::Model {
         arguments.engine.params.refuse_timing()?;
     }
-    let design = arguments.engine.params.design(&unit)?;
+    let design = arguments.given.engine(&arguments.file, settings, &arguments.engine.params)?;
     let (meshes, _) = scene.meshes();
     let objects = Objects::new(&design.params, &design.unit.params, &meshes)?;
     let model = StandIn::new(&objects).map_err(DesignError::from)?;
@@ -142,7 +141,7 @@ pub(super) fn run(
     let (params, frames) = (design.unit.params.clone(), frames(arguments, machine, scene));
     let report = Report::new::<EngineCounts>(arguments.json, arguments.summary, "engine", &head)?;
     let viewer = view.is_some().then(|| Viewer::new(&front, &params));
-    let mut sinks = Sinks::new::<EngineCounts>(scene, report, viewer, csv, pairs)?;
+    let mut sinks = Sinks::new::<EngineCounts>(scene, &params, report, viewer, csv, pairs)?;
     let mut taken = Taken { total: EngineCounts::default(), drawn: frames[0], most: None, contacts: vec![] };
     let bar = progress::bar("answering", frames.len() as u64, "poses", !arguments.summary);
     let visit = |row: Row<EngineCounts>, found: &[Contact]| {

@@ -1,7 +1,7 @@
 //! What `efsat scene run` prints.
 
-use super::{Failure, failure, output, quoted};
-use crate::output::table;
+use super::{Failure, failure, output};
+use crate::output::{quoted, table};
 use crate::scene::summary::Summary;
 use efsat_studies::planner::{Cosimulation, Counted, Counts, Finding, Plan, Row, Total, Wish};
 use efsat_unit::host::Verdicts;

@@ -75,14 +75,38 @@ fn at(path: &Path) -> impl FnOnce(io::Error) -> FileSetError + '_ {
     move |source| FileSetError::Io { path: path.to_owned(), source }
 }
 
+/// A text with the licence of generated files, which is that of the program, as a comment: above all but a line that tools look for.
+fn licensed(name: &str, text: String) -> String {
+    let (open, close) = match name.trim_end_matches(".txt").rsplit('.').next() {
+        Some("vhd") => ("--", ""),
+        Some("v" | "cpp") => ("//", ""),
+        Some("h") => ("/*", " */"),
+        Some("md") => ("<!--", " -->"),
+        Some("py" | "tcl" | "xdc" | "ucf" | "xst" | "lpf" | "sh" | "core") => ("#", ""),
+        _ => return text,
+    };
+    let is_first = |line: &&str| line.starts_with("#!") || line.starts_with("CAPI=");
+    let first = text.split_inclusive('\n').next().filter(is_first).unwrap_or_default();
+    let licence = concat!("SPDX-License-Identifier: ", env!("CARGO_PKG_LICENSE"));
+    format!("{first}{open} {licence}{close}\n{}", &text[first.len()..])
+}
+
 impl FileSet {
-    /// Adds a file; a text ends with a line feed.
+    /// Adds a file; a text ends with a line feed, and begins with its licence if it may have comments.
     pub fn insert(&mut self, name: impl Into<String>, text: impl Into<String>) {
-        let mut text = text.into();
+        let name = name.into();
+        let mut text = licensed(&name, text.into());
         if !text.ends_with('\n') {
             text.push('\n');
         }
-        self.0.insert(name.into(), text);
+        self.0.insert(name, text);
+    }
+
+    /// Adds the files of another set, in a folder.
+    // For the ready designs.
+    #[doc(hidden)]
+    pub fn insert_folder(&mut self, folder: &str, files: Self) {
+        self.0.extend(files.0.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text)));
     }
 
     /// Names and texts, by name.
@@ -339,18 +363,18 @@ mod tests {
     fn written_compared_and_replaced() {
         let home = tempfile::tempdir().unwrap();
         let dir = home.path().join("a/out");
-        let first = set(&[("x.vhd", "x"), ("ise/y.prj", "y")]);
+        let first = set(&[("x.vec", "x"), ("ise/y.prj", "y")]);
         first.write(&dir).unwrap();
         assert_eq!(first.check(&dir).unwrap(), []);
-        assert_eq!(fs::read_to_string(dir.join("x.vhd")).unwrap(), "x\n");
+        assert_eq!(fs::read_to_string(dir.join("x.vec")).unwrap(), "x\n");
 
         fs::write(dir.join("ise/notes.txt"), "mine").unwrap();
-        fs::write(dir.join("x.vhd"), "X\n").unwrap();
-        let second = set(&[("x.vhd", "x2"), ("z.vhd", "z")]);
+        fs::write(dir.join("x.vec"), "X\n").unwrap();
+        let second = set(&[("x.vec", "x2"), ("z.vec", "z")]);
         let names: Vec<String> = second.check(&dir).unwrap().iter().map(ToString::to_string).collect();
         assert_eq!(
             names,
-            ["differs manifest.json", "differs x.vhd", "missing z.vhd", "extra ise/y.prj"],
+            ["differs manifest.json", "differs x.vec", "missing z.vec", "extra ise/y.prj"],
             "a file of somebody else is none"
         );
         second.write(&dir).unwrap();
@@ -373,16 +397,16 @@ mod tests {
         use std::os::unix::fs::{PermissionsExt, symlink};
         let home = tempfile::tempdir().unwrap();
         let dir = home.path().join("out");
-        set(&[("x.vhd", "x"), ("ise/y.prj", "y"), ("old/z", "z")]).write(&dir).unwrap();
+        set(&[("x.vec", "x"), ("ise/y.prj", "y"), ("old/z", "z")]).write(&dir).unwrap();
         fs::create_dir_all(dir.join("empty/inner")).unwrap();
         symlink("nowhere", dir.join("link")).unwrap();
         let latin = dir.join(std::ffi::OsStr::from_bytes(b"na\xefve"));
         fs::write(&latin, "mine").unwrap();
-        let modes = [("", 0o750), ("x.vhd", 0o640), ("ise", 0o711), ("ise/y.prj", 0o604), ("empty/inner", 0o700)];
+        let modes = [("", 0o750), ("x.vec", 0o640), ("ise", 0o711), ("ise/y.prj", 0o604), ("empty/inner", 0o700)];
         for (name, mode) in modes {
             fs::set_permissions(dir.join(name), fs::Permissions::from_mode(mode)).unwrap();
         }
-        set(&[("x.vhd", "x2"), ("ise/y.prj", "y"), ("new", "n")]).write(&dir).unwrap();
+        set(&[("x.vec", "x2"), ("ise/y.prj", "y"), ("new", "n")]).write(&dir).unwrap();
         for (name, expected) in modes {
             assert_eq!(mode(&dir.join(name)), expected, "{name}");
         }
@@ -395,7 +419,7 @@ mod tests {
     fn others_always_find_their_files() {
         let home = tempfile::tempdir().unwrap();
         let dir = home.path().join("out");
-        let sets = [set(&[("x.vhd", "x"), ("a/b", "b")]), set(&[("x.vhd", "y")])];
+        let sets = [set(&[("x.vec", "x"), ("a/b", "b")]), set(&[("x.vec", "y")])];
         sets[0].write(&dir).unwrap();
         fs::write(dir.join("notes.txt"), "mine").unwrap();
         let done = std::sync::atomic::AtomicBool::new(false);
@@ -417,7 +441,7 @@ mod tests {
     fn of_two_runs_at_a_time_one_is_there() {
         let home = tempfile::tempdir().unwrap();
         let dir = home.path().join("out");
-        let sets = [set(&[("x.vhd", "x"), ("a/b", "b")]), set(&[("x.vhd", "y"), ("c/d", "d")])];
+        let sets = [set(&[("x.vec", "x"), ("a/b", "b")]), set(&[("x.vec", "y"), ("c/d", "d")])];
         sets[0].write(&dir).unwrap();
         fs::write(dir.join("notes.txt"), "mine").unwrap();
         for _ in 0..50 {
@@ -435,11 +459,11 @@ mod tests {
     fn what_comes_at_the_last_moment_is_not_lost() {
         let home = tempfile::tempdir().unwrap();
         let [old, new] = ["old", "new"].map(|name| home.path().join(name));
-        let files = set(&[("x.vhd", "x")]);
+        let files = set(&[("x.vec", "x")]);
         files.write(&old).unwrap();
         fs::write(old.join("kept"), "mine").unwrap();
         let found = files.found(&old).unwrap();
-        set(&[("x.vhd", "new")]).write(&new).unwrap();
+        set(&[("x.vec", "new")]).write(&new).unwrap();
         found.link(&old, &new).unwrap();
         // After the other directory was filled: a file that is new, and one that an editor writes beside and renames.
         fs::create_dir(old.join("late")).unwrap();
@@ -448,16 +472,16 @@ mod tests {
         fs::rename(old.join("beside"), old.join("kept")).unwrap();
         found.rescue(&old, &new).unwrap();
         let text = |name: &str| fs::read_to_string(new.join(name)).unwrap();
-        assert_eq!((text("late/file"), text("kept"), text("x.vhd")), ("mine".into(), "changed".into(), "new\n".into()));
+        assert_eq!((text("late/file"), text("kept"), text("x.vec")), ("mine".into(), "changed".into(), "new\n".into()));
     }
 
     #[test]
     fn files_take_their_places_one_by_one_where_directories_cannot() {
         let home = tempfile::tempdir().unwrap();
         let [dir, new] = ["out", "new"].map(|name| home.path().join(name));
-        set(&[("x.vhd", "x"), ("old/z", "z"), ("ise/y", "y")]).write(&dir).unwrap();
+        set(&[("x.vec", "x"), ("old/z", "z"), ("ise/y", "y")]).write(&dir).unwrap();
         fs::write(dir.join("ise/notes.txt"), "mine").unwrap();
-        let second = set(&[("x.vhd", "x2"), ("deep/a", "a")]);
+        let second = set(&[("x.vec", "x2"), ("deep/a", "a")]);
         second.fill(&new, &dir).unwrap();
         second.one_by_one(&new, &dir, &second.found(&dir).unwrap()).unwrap();
         assert_eq!(second.check(&dir).unwrap(), []);
@@ -468,7 +492,7 @@ mod tests {
     fn what_others_wrote_is_never_replaced() {
         let home = tempfile::tempdir().unwrap();
         let dir = home.path().join("out");
-        let files = set(&[("x.vhd", "x")]);
+        let files = set(&[("x.vec", "x")]);
         fs::create_dir(&dir).unwrap();
         fs::write(dir.join("thesis.tex"), "t").unwrap();
         assert!(files.write(&dir).unwrap_err().to_string().contains("found thesis.tex and no manifest.json of efsat"));
@@ -477,13 +501,13 @@ mod tests {
         assert_eq!(fs::read_dir(&dir).unwrap().count(), 2);
 
         fs::write(dir.join(manifest::NAME), set(&[]).get(manifest::NAME).unwrap()).unwrap();
-        fs::write(dir.join("x.vhd"), "by hand").unwrap();
+        fs::write(dir.join("x.vec"), "by hand").unwrap();
         assert!(matches!(files.write(&dir), Err(FileSetError::Collision { .. })));
-        assert_eq!(fs::read_to_string(dir.join("x.vhd")).unwrap(), "by hand");
+        assert_eq!(fs::read_to_string(dir.join("x.vec")).unwrap(), "by hand");
         // A folder of ours that is somebody's file, and a manifest that names what is not below it.
-        let deep = set(&[("x.vhd/y", "y")]);
+        let deep = set(&[("x.vec/y", "y")]);
         assert!(matches!(deep.write(&dir), Err(FileSetError::Collision { .. })));
-        fs::remove_file(dir.join("x.vhd")).unwrap();
+        fs::remove_file(dir.join("x.vec")).unwrap();
         fs::write(home.path().join("thesis.tex"), "t").unwrap();
         fs::write(dir.join(manifest::NAME), set(&[("../thesis.tex", "")]).get(manifest::NAME).unwrap()).unwrap();
         files.write(&dir).unwrap();

@@ -44,12 +44,21 @@ impl<'a> HostSide<'a> {
     /// The host side of an entity: its constants, to which those of the ranges of its unit are added, and its refusals, of which the
     /// first that is about unsigned numbers and the first that expects nothing in particular are named.
     pub fn new<const N: usize>(
-        (base, prefix): (&'static str, &'a Prefix),
+        named: (&'static str, &'a Prefix),
         (mut groups, unit): (Vec<Group>, &Params),
+        list: [(&'static str, &'static str); N],
+        firsts: [&'static str; 2],
+    ) -> Self {
+        groups.insert(1, ranges(unit));
+        Self::of(named, groups, list, firsts)
+    }
+
+    fn of<const N: usize>(
+        (base, prefix): (&'static str, &'a Prefix),
+        groups: Vec<Group>,
         list: [(&'static str, &'static str); N],
         [unsigned, unexpected]: [&'static str; 2],
     ) -> Self {
-        groups.insert(1, ranges(unit));
         let refusals = list.map(|(name, what)| Refusal { name, what }).into();
         Self {
             header: origin(),
@@ -62,6 +71,23 @@ impl<'a> HostSide<'a> {
             unexpected,
         }
     }
+}
+
+/// The retest in C.
+#[derive(Template)]
+#[template(path = "host/efsat_retest.h", escape = "none")]
+struct Retest<'a> {
+    h: &'a HostSide<'a>,
+}
+
+/// Name of the retest in C, without a prefix.
+pub const RETEST: &str = "efsat_retest";
+
+/// The retest in C: name and text.
+pub fn retest(prefix: &Prefix) -> (String, String) {
+    let refusals = [("NOT_FINITE", "not finite, here as bits: number"), ("WORDS", "more words are needed than")];
+    let side = HostSide::of((RETEST, prefix), vec![], refusals, ["NOT_FINITE"; 2]);
+    (format!("host/{}.h", prefix.of(RETEST)), Retest { h: &side }.render().expect("the template renders"))
 }
 
 /// What the files of the host side of the unit are made of.
@@ -102,7 +128,7 @@ struct Module<'a> {
 }
 
 /// The host side in C and in Python: names and texts.
-pub(crate) fn files(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [(String, String); 2] {
+pub(crate) fn files(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [(String, String); 3] {
     let p = &design.params;
     let refusals = [
         ("COORDINATE", Quantity::Coordinate.name()),
@@ -129,7 +155,9 @@ pub(crate) fn files(design: &Design, format: &StreamFormat, prefix: &Prefix) -> 
         edge_test: p.edge_test,
     };
     let texts = [("efsat.h", Header { h: &host }.render()), ("efsat.py", Module { h: &host }.render())];
-    texts.map(|(name, text)| (format!("host/{}", prefix.of(name)), text.expect("the template renders")))
+    let [c, python] =
+        texts.map(|(name, text)| (format!("host/{}", prefix.of(name)), text.expect("the template renders")));
+    [c, python, retest(prefix)]
 }
 
 /// The package of constants in VHDL.

@@ -1,0 +1,571 @@
+-- SPDX-License-Identifier: MIT OR Apache-2.0
+--------------------------------------------------------------------------------
+-- The data path of an expansion: D, then in each direction h of A the bound of D, B's codes through the row of h, A's
+-- code of the opposite direction, and the test. Units are shared over the phases of the slot. A value captured for the
+-- expansion is named after what it is; later copies end in _h<clocks>.
+-- Latency: 13 clocks.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.volume_types.all;
+
+entity volume_path is
+  port (
+    clk         : in  std_logic;
+    phase       : in  unsigned(1 downto 0);  -- phase of the slot: 0 in the first clock of the inputs
+    holds       : in  std_logic_vector(3 downto 0);  -- whether the slot k slots ago holds a pair
+    query_pose  : in  signed_18_vector_x3_t;  -- s1.17; |.| <= 131071
+    query_shift : in  signed_26_vector_t;  -- s4.22; |.| <= 16777216
+    query_error : in  unsigned_16_vector_t;
+    query_row   : in  row_u13_x18_t;
+    a_origin    : in  signed_18_vector_t;  -- s1.17; |.| <= 131072
+    a_exponent  : in  unsigned(3 downto 0);
+    a_code      : in  signed_10_x18_x2_t;  -- |.| <= 511
+    a_take      : in  std_logic_vector(1 downto 0);
+    b_origin    : in  signed_18_vector_t;  -- s1.17; |.| <= 131072
+    b_exponent  : in  unsigned(3 downto 0);
+    b_code      : in  signed_10_x18_x2_t;  -- |.| <= 511
+    b_take      : in  std_logic_vector(1 downto 0);
+    survive     : out std_logic_vector(3 downto 0)
+  );
+end entity volume_path;
+
+architecture rtl of volume_path is
+  constant d_lane_m_select_at_0_table : numbers_t(0 to 3) := (1, 2, 0, 0);
+  constant b_chosen_select_at_1_0_table : std_logic_vector(0 to 3) := "0101";
+  constant axis_bound_operand_select_at_2_table : std_logic_vector(0 to 3) := "1001";
+  constant ceiling_table : numbers_t(0 to 15) := (2047, 1023, 511, 255, 127, 63, 31, 15, 7, 3, 1, 0, 0, 0, 0, 0);
+  signal d_lane_m : signed_18_vector_t;  -- s1.17; |.| <= 131071
+  signal d_lane_m_select_at_0 : unsigned(1 downto 0) := (others => '0');
+  signal d_lane_t : signed(25 downto 0);  -- s4.22; |.| <= 16777216
+  signal d_lane_o_a : signed(17 downto 0);  -- s1.17; |.| <= 131072
+  signal in_phase_3 : std_logic;
+  signal in_flight : std_logic;  -- a pair is in the data path, or may be in the next clock
+  signal strobe : std_logic_vector(3 downto 0) := (others => '0');  -- one flag per phase
+  signal b_origin_h1 : signed_18_vector_t := zero_signed_18_vector;  -- s1.17; |.| <= 131072
+  signal d_lane_m_d1 : signed_18_vector_t := zero_signed_18_vector;  -- s1.17; |.| <= 131071
+  signal d_lane_t_d1 : signed(25 downto 0) := (others => '0');  -- s4.22; |.| <= 16777216
+  signal d_lane_o_a_d1 : signed(17 downto 0) := (others => '0');  -- s1.17; |.| <= 131072
+  signal d_lane : signed(25 downto 0);  -- s4.22; |.| <= 33554336
+  signal d : signed_26_x3_t := zero_signed_26_x3;  -- s4.22; |.| <= 33554336
+  signal query_error_resized_h4 : signed_26_vector_t := zero_signed_26_vector;  -- s4.22; |.| <= 65535
+  signal query_error_resized_h6 : signed_26_vector_t := zero_signed_26_vector;  -- s4.22; |.| <= 65535
+  signal axis_bound : signed_27_x2_vector_t;  -- s5.22; |.| <= 33619871
+  signal b_code1_h2 : signed_10_x18_t := zero_signed_10_x18;  -- |.| <= 511
+  signal b_chosen : signed_10_x18_t;  -- |.| <= 511
+  signal b_chosen_select_at_1 : std_logic_vector(0 downto 0) := (others => '0');
+  signal axis_bound_x1_h2 : signed(26 downto 0) := (others => '0');  -- s5.22; |.| <= 33619839
+  signal axis_bound_y_h2 : signed_27_x2_t := zero_signed_27_x2;  -- s5.22; |.| <= 33619871
+  signal axis_bound_operand_select_at_2 : std_logic := '0';
+  signal axis_bound0_operand_d1 : signed_27_vector_t := zero_signed_27_vector;  -- s5.22; |.| <= 33619871
+  signal axis_bound1_z_operand_d1 : signed(26 downto 0) := (others => '0');  -- s5.22; |.| <= 33619871
+  signal axis_bound0_operand_d2 : signed_27_vector_t := zero_signed_27_vector;  -- s5.22; |.| <= 33619871
+  signal bound : signed_28_x9_t;  -- s6.22; |.| <= 67239742
+  signal bound4_operand_second_d1 : signed(26 downto 0) := (others => '0');  -- s5.22; |.| <= 33619871
+  signal query_row1_h4 : row_u13_t := zero_row_u13;
+  signal query_row3_h4 : row_u13_t := zero_row_u13;
+  signal query_row5_h4 : row_u13_t := zero_row_u13;
+  signal query_row7_h4 : row_u13_t := zero_row_u13;
+  signal query_row9_h4 : row_u13_t := zero_row_u13;
+  signal query_row11_h4 : row_u13_t := zero_row_u13;
+  signal query_row13_h4 : row_u13_t := zero_row_u13;
+  signal query_row15_h4 : row_u13_t := zero_row_u13;
+  signal query_row17_h4 : row_u13_t := zero_row_u13;
+  signal term0_choice : unsigned_3_x9_t;
+  signal term1_choice : unsigned_3_x9_t;
+  signal term2_choice : unsigned_3_x9_t;
+  signal b_chosen_d1 : signed_10_x18_t := zero_signed_10_x18;  -- |.| <= 511
+  signal term0 : signed_10_x9_t;  -- |.| <= 511
+  signal term1 : signed_10_x9_t;  -- |.| <= 511
+  signal term2 : signed_10_x9_t;  -- |.| <= 511
+  signal ceiling_h2 : unsigned(10 downto 0) := (others => '0');
+  signal term0_d1 : signed_10_x9_t := zero_signed_10_x9;  -- |.| <= 511
+  signal term1_d1 : signed_10_x9_t := zero_signed_10_x9;  -- |.| <= 511
+  signal term2_d1 : signed_10_x9_t := zero_signed_10_x9;  -- |.| <= 511
+  signal s_factors_d1 : unsigned_12_x3_x9_t := zero_unsigned_12_x3_x9;
+  signal s_rest_d1 : unsigned_13_x9_t := zero_unsigned_13_x9;
+  signal ceiling_h2_d1 : unsigned(10 downto 0) := (others => '0');
+  signal s : signed_24_x9_t;  -- |.| <= 6287873
+  signal b_exponent_h4 : unsigned(3 downto 0) := (others => '0');
+  signal b_exponent_h7 : unsigned(3 downto 0) := (others => '0');
+  signal s_d1 : signed_24_x9_t := zero_signed_24_x9;  -- |.| <= 6287873
+  signal s_d2 : signed_24_x9_t := zero_signed_24_x9;  -- |.| <= 6287873
+  signal u : signed_28_x9_t;  -- s6.22; |.| <= 100605968
+  signal a_code_h4 : signed_10_x18_x2_t := zero_signed_10_x18_x2;  -- |.| <= 511
+  signal a_code0_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
+  signal a_code2_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
+  signal a_code4_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
+  signal a_code6_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
+  signal a_code8_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
+  signal a_code10_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
+  signal a_code12_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
+  signal a_code14_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
+  signal a_code16_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
+  signal a_exponent_h4 : unsigned(3 downto 0) := (others => '0');
+  signal a_exponent_h7 : unsigned(3 downto 0) := (others => '0');
+  signal v_x_d1 : signed_10_x2_x9_t := zero_signed_10_x2_x9;  -- |.| <= 511
+  signal v : signed_25_x2_x9_t;  -- s3.22; |.| <= 16744448
+  signal u_d1 : signed_28_x9_t := zero_signed_28_x9;  -- s6.22; |.| <= 100605968
+  signal v_d1 : signed_25_x2_x9_t := zero_signed_25_x2_x9;  -- s3.22; |.| <= 16744448
+  signal apart : flag_x2_x9_t;
+  signal bound3_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239742
+  signal bound4_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239710
+  signal bound5_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239742
+  signal bound6_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239710
+  signal bound7_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239742
+  signal bound8_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239710
+  signal apart_in_phase_word_d1 : unsigned_9_x2_t := zero_unsigned_9_x2;
+  signal apart_in_phase : std_logic_vector(1 downto 0);
+  signal apart_found_word_captured_first : flag_x2_x2_t := zero_flag_x2_x2;
+  signal apart_found_word_captured_second : flag_x2_x2_t := zero_flag_x2_x2;
+  signal apart_found : flag_x2_x2_t;
+  signal survive_and_h4 : std_logic_vector(3 downto 0) := (others => '0');
+  signal survive_and_h8 : std_logic_vector(3 downto 0) := (others => '0');
+  signal survive_and_h12 : std_logic_vector(3 downto 0) := (others => '0');
+  signal survive1_and_h13 : std_logic := '0';
+  signal survive3_and_h13 : std_logic := '0';
+  signal holds0_or_in_phase_3 : std_logic;
+  signal in_phase_0 : std_logic;
+  signal busy_2 : std_logic := '0';  -- set in clocks 1 to 4 of a pair
+  signal busy_6 : std_logic := '0';  -- set in clocks 5 to 8 of a pair
+  signal busy_2_or_busy_6 : std_logic;
+  signal term0_unit_codes : signed_10_x6_x9_t;
+  signal term1_unit_codes : signed_10_x6_x9_t;
+  signal term2_unit_codes : signed_10_x6_x9_t;
+  signal s_unit_codes : signed_10_x3_x9_t;
+  signal apart_unit_bound : signed_28_x9_t;
+begin
+  -- Strobes, one per phase
+  strobes : process (clk)
+  begin
+    if rising_edge(clk) then
+      for k in 0 to 3 loop
+        strobe(k) <= flag(known(phase) = (k + 3) mod 4) and in_flight;
+      end loop;
+    end if;
+  end process strobes;
+  in_phase_3 <= flag(known(phase) = 3);
+  in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or in_phase_3;
+  holds0_or_in_phase_3 <= holds(0) or in_phase_3;
+  in_phase_0 <= flag(known(phase) = 0);
+  busy_2_or_busy_6 <= busy_2 or busy_6;
+
+  -- Clock 0
+  d_lane_m <=
+    query_pose(0) when known(d_lane_m_select_at_0) = 0 else
+    query_pose(1) when known(d_lane_m_select_at_0) = 1 else
+    query_pose(2);
+  d_lane_t <=
+    query_shift(0) when known(d_lane_m_select_at_0) = 0 else
+    query_shift(1) when known(d_lane_m_select_at_0) = 1 else
+    query_shift(2);
+  d_lane_o_a <=
+    a_origin(0) when known(d_lane_m_select_at_0) = 0 else
+    a_origin(1) when known(d_lane_m_select_at_0) = 1 else
+    a_origin(2);
+
+  -- Clock 1
+  clock_1 : process (clk)
+  begin
+    if rising_edge(clk) then
+      d_lane_m_d1 <= d_lane_m;
+      d_lane_t_d1 <= d_lane_t;
+      d_lane_o_a_d1 <= d_lane_o_a;
+    end if;
+  end process clock_1;
+  b_chosen <= b_code1_h2 when b_chosen_select_at_1(0) = '1' else b_code(0);
+  d_lane_unit : entity work.volume_origin_row
+    port map (clk => clk, m => d_lane_m_d1, t => d_lane_t_d1, o_b => b_origin_h1, o_a => d_lane_o_a_d1, d => d_lane);
+
+  -- Clock 2
+  clock_2 : process (clk)
+  begin
+    if rising_edge(clk) then
+      b_chosen_d1 <= b_chosen;
+    end if;
+  end process clock_2;
+  term0_choice(0) <= query_row1_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(0).choice(0);
+  term0_choice(1) <= query_row3_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(2).choice(0);
+  term0_choice(2) <= query_row5_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(4).choice(0);
+  term0_choice(3) <= query_row7_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(6).choice(0);
+  term0_choice(4) <= query_row9_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(8).choice(0);
+  term0_choice(5) <= query_row11_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(10).choice(0);
+  term0_choice(6) <= query_row13_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(12).choice(0);
+  term0_choice(7) <= query_row15_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(14).choice(0);
+  term0_choice(8) <= query_row17_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(16).choice(0);
+  term1_choice(0) <= query_row1_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(0).choice(1);
+  term1_choice(1) <= query_row3_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(2).choice(1);
+  term1_choice(2) <= query_row5_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(4).choice(1);
+  term1_choice(3) <= query_row7_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(6).choice(1);
+  term1_choice(4) <= query_row9_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(8).choice(1);
+  term1_choice(5) <= query_row11_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(10).choice(1);
+  term1_choice(6) <= query_row13_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(12).choice(1);
+  term1_choice(7) <= query_row15_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(14).choice(1);
+  term1_choice(8) <= query_row17_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(16).choice(1);
+  term2_choice(0) <= query_row1_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(0).choice(2);
+  term2_choice(1) <= query_row3_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(2).choice(2);
+  term2_choice(2) <= query_row5_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(4).choice(2);
+  term2_choice(3) <= query_row7_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(6).choice(2);
+  term2_choice(4) <= query_row9_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(8).choice(2);
+  term2_choice(5) <= query_row11_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(10).choice(2);
+  term2_choice(6) <= query_row13_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(12).choice(2);
+  term2_choice(7) <= query_row15_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(14).choice(2);
+  term2_choice(8) <= query_row17_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(16).choice(2);
+  term0_unit_codes_0_each : for k in 0 to 8 generate
+    term0_unit_codes(k)(0) <= b_chosen_d1(0);
+    term0_unit_codes(k)(1) <= b_chosen_d1(1);
+    term0_unit_codes(k)(2) <= b_chosen_d1(14);
+    term0_unit_codes(k)(3) <= b_chosen_d1(15);
+    term0_unit_codes(k)(4) <= b_chosen_d1(16);
+    term0_unit_codes(k)(5) <= b_chosen_d1(17);
+    term1_unit_codes(k)(0) <= b_chosen_d1(2);
+    term1_unit_codes(k)(1) <= b_chosen_d1(3);
+    term1_unit_codes(k)(2) <= b_chosen_d1(10);
+    term1_unit_codes(k)(3) <= b_chosen_d1(11);
+    term1_unit_codes(k)(4) <= b_chosen_d1(12);
+    term1_unit_codes(k)(5) <= b_chosen_d1(13);
+    term2_unit_codes_each : for m in 0 to 5 generate
+      term2_unit_codes(k)(m) <= b_chosen_d1(m + 4);
+    end generate term2_unit_codes_each;
+  end generate term0_unit_codes_0_each;
+  term0_unit : for k in 0 to 8 generate
+    unit : entity work.volume_select_code_6
+      port map (codes => term0_unit_codes(k), choice => term0_choice(k), code => term0(k));
+  end generate term0_unit;
+  term1_unit : for k in 0 to 8 generate
+    unit : entity work.volume_select_code_6
+      port map (codes => term1_unit_codes(k), choice => term1_choice(k), code => term1(k));
+  end generate term1_unit;
+  term2_unit : for k in 0 to 8 generate
+    unit : entity work.volume_select_code_6
+      port map (codes => term2_unit_codes(k), choice => term2_choice(k), code => term2(k));
+  end generate term2_unit;
+
+  -- Clock 3
+  clock_3 : process (clk)
+  begin
+    if rising_edge(clk) then
+      term0_d1 <= term0;
+      term1_d1 <= term1;
+      term2_d1 <= term2;
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(0) <= query_row1_h4.factor;
+      else
+        s_factors_d1(0) <= query_row(0).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(1) <= query_row3_h4.factor;
+      else
+        s_factors_d1(1) <= query_row(2).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(2) <= query_row5_h4.factor;
+      else
+        s_factors_d1(2) <= query_row(4).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(3) <= query_row7_h4.factor;
+      else
+        s_factors_d1(3) <= query_row(6).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(4) <= query_row9_h4.factor;
+      else
+        s_factors_d1(4) <= query_row(8).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(5) <= query_row11_h4.factor;
+      else
+        s_factors_d1(5) <= query_row(10).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(6) <= query_row13_h4.factor;
+      else
+        s_factors_d1(6) <= query_row(12).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(7) <= query_row15_h4.factor;
+      else
+        s_factors_d1(7) <= query_row(14).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(8) <= query_row17_h4.factor;
+      else
+        s_factors_d1(8) <= query_row(16).factor;
+      end if;
+      s_rest_d1(0) <= choose(axis_bound_operand_select_at_2, query_row1_h4.rest, query_row(0).rest);
+      s_rest_d1(1) <= choose(axis_bound_operand_select_at_2, query_row3_h4.rest, query_row(2).rest);
+      s_rest_d1(2) <= choose(axis_bound_operand_select_at_2, query_row5_h4.rest, query_row(4).rest);
+      s_rest_d1(3) <= choose(axis_bound_operand_select_at_2, query_row7_h4.rest, query_row(6).rest);
+      s_rest_d1(4) <= choose(axis_bound_operand_select_at_2, query_row9_h4.rest, query_row(8).rest);
+      s_rest_d1(5) <= choose(axis_bound_operand_select_at_2, query_row11_h4.rest, query_row(10).rest);
+      s_rest_d1(6) <= choose(axis_bound_operand_select_at_2, query_row13_h4.rest, query_row(12).rest);
+      s_rest_d1(7) <= choose(axis_bound_operand_select_at_2, query_row15_h4.rest, query_row(14).rest);
+      s_rest_d1(8) <= choose(axis_bound_operand_select_at_2, query_row17_h4.rest, query_row(16).rest);
+      ceiling_h2_d1 <= ceiling_h2;
+    end if;
+  end process clock_3;
+  s_unit_codes_0_each : for k in 0 to 8 generate
+    s_unit_codes(k)(0) <= term0_d1(k);
+    s_unit_codes(k)(1) <= term1_d1(k);
+    s_unit_codes(k)(2) <= term2_d1(k);
+  end generate s_unit_codes_0_each;
+  s_unit : for k in 0 to 8 generate
+    unit : entity work.volume_row_sum
+      port map (clk => clk, codes => s_unit_codes(k), factors => s_factors_d1(k), rest => s_rest_d1(k),
+                ceiling => ceiling_h2_d1, s => s(k));
+  end generate s_unit;
+
+  -- Clock 6
+  clock_6 : process (clk)
+  begin
+    if rising_edge(clk) then
+      s_d1 <= s;
+    end if;
+  end process clock_6;
+  axis_bound_0_each : for i in 0 to 2 generate
+    axis_bound(i)(0) <= resize(query_error_resized_h6(i), 27) + resize(d(i), 27);
+    axis_bound(i)(1) <= resize(query_error_resized_h6(i), 27) - resize(d(i), 27);
+  end generate axis_bound_0_each;
+
+  -- Clock 7
+  clock_7 : process (clk)
+  begin
+    if rising_edge(clk) then
+      if axis_bound_operand_select_at_2 = '1' then
+        axis_bound0_operand_d1(0) <= axis_bound_x1_h2;
+      else
+        axis_bound0_operand_d1(0) <= axis_bound(0)(0);
+      end if;
+      axis_bound0_operand_d1(1) <= choose(axis_bound_operand_select_at_2, axis_bound_y_h2(1), axis_bound(1)(0));
+      axis_bound0_operand_d1(2) <= choose(axis_bound_operand_select_at_2, axis_bound(2)(1), axis_bound(2)(0));
+      if axis_bound_operand_select_at_2 = '1' then
+        axis_bound1_z_operand_d1 <= axis_bound(2)(0);
+      else
+        axis_bound1_z_operand_d1 <= axis_bound(2)(1);
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
+        bound4_operand_second_d1 <= axis_bound_y_h2(0);
+      else
+        bound4_operand_second_d1 <= axis_bound(1)(1);
+      end if;
+      s_d2 <= s_d1;
+      for m in 0 to 1 loop
+        if axis_bound_operand_select_at_2 = '1' then
+          v_x_d1(0)(m) <= a_code0_h8(m);
+        else
+          v_x_d1(0)(m) <= a_code_h4(m)(1);
+        end if;
+        if axis_bound_operand_select_at_2 = '1' then
+          v_x_d1(1)(m) <= a_code2_h8(m);
+        else
+          v_x_d1(1)(m) <= a_code_h4(m)(3);
+        end if;
+        if axis_bound_operand_select_at_2 = '1' then
+          v_x_d1(2)(m) <= a_code4_h8(m);
+        else
+          v_x_d1(2)(m) <= a_code_h4(m)(5);
+        end if;
+        if axis_bound_operand_select_at_2 = '1' then
+          v_x_d1(3)(m) <= a_code6_h8(m);
+        else
+          v_x_d1(3)(m) <= a_code_h4(m)(7);
+        end if;
+        if axis_bound_operand_select_at_2 = '1' then
+          v_x_d1(4)(m) <= a_code8_h8(m);
+        else
+          v_x_d1(4)(m) <= a_code_h4(m)(9);
+        end if;
+        if axis_bound_operand_select_at_2 = '1' then
+          v_x_d1(5)(m) <= a_code10_h8(m);
+        else
+          v_x_d1(5)(m) <= a_code_h4(m)(11);
+        end if;
+        if axis_bound_operand_select_at_2 = '1' then
+          v_x_d1(6)(m) <= a_code12_h8(m);
+        else
+          v_x_d1(6)(m) <= a_code_h4(m)(13);
+        end if;
+        if axis_bound_operand_select_at_2 = '1' then
+          v_x_d1(7)(m) <= a_code14_h8(m);
+        else
+          v_x_d1(7)(m) <= a_code_h4(m)(15);
+        end if;
+        if axis_bound_operand_select_at_2 = '1' then
+          v_x_d1(8)(m) <= a_code16_h8(m);
+        else
+          v_x_d1(8)(m) <= a_code_h4(m)(17);
+        end if;
+      end loop;
+    end if;
+  end process clock_7;
+  bound(3) <= resize(axis_bound0_operand_d1(0), 28) + resize(axis_bound0_operand_d1(1), 28);
+  bound(4) <= resize(axis_bound0_operand_d1(0), 28) + resize(bound4_operand_second_d1, 28);
+  bound(5) <= resize(axis_bound0_operand_d1(0), 28) + resize(axis_bound0_operand_d1(2), 28);
+  bound(6) <= resize(axis_bound0_operand_d1(0), 28) + resize(axis_bound1_z_operand_d1, 28);
+  bound(7) <= resize(axis_bound0_operand_d1(1), 28) + resize(axis_bound0_operand_d1(2), 28);
+  bound(8) <= resize(axis_bound0_operand_d1(1), 28) + resize(axis_bound1_z_operand_d1, 28);
+  u_unit : for k in 0 to 8 generate
+    unit : entity work.volume_align_sum
+      port map (x => s_d2(k), exponent => b_exponent_h7, aligned => u(k));
+  end generate u_unit;
+  v_unit_of : for k in 0 to 8 generate
+    v_unit : for m in 0 to 1 generate
+      unit : entity work.volume_align_code
+        port map (x => v_x_d1(k)(m), exponent => a_exponent_h7, aligned => v(k)(m));
+    end generate v_unit;
+  end generate v_unit_of;
+
+  -- Clock 8
+  clock_8 : process (clk)
+  begin
+    if rising_edge(clk) then
+      axis_bound0_operand_d2 <= axis_bound0_operand_d1;
+      u_d1 <= u;
+      v_d1 <= v;
+      bound3_d1 <= bound(3);
+      bound4_d1 <= bound(4);
+      bound5_d1 <= bound(5);
+      bound6_d1 <= bound(6);
+      bound7_d1 <= bound(7);
+      bound8_d1 <= bound(8);
+    end if;
+  end process clock_8;
+  bound(0) <= resize(axis_bound0_operand_d2(0), 28);
+  bound(1) <= resize(axis_bound0_operand_d2(1), 28);
+  bound(2) <= resize(axis_bound0_operand_d2(2), 28);
+  apart_unit_bound(0) <= bound(0);
+  apart_unit_bound(1) <= bound(1);
+  apart_unit_bound(2) <= bound(2);
+  apart_unit_bound(3) <= bound3_d1;
+  apart_unit_bound(4) <= bound4_d1;
+  apart_unit_bound(5) <= bound5_d1;
+  apart_unit_bound(6) <= bound6_d1;
+  apart_unit_bound(7) <= bound7_d1;
+  apart_unit_bound(8) <= bound8_d1;
+  apart_unit : for k in 0 to 8 generate
+    unit : entity work.volume_direction_test
+      port map (bound => apart_unit_bound(k), u => u_d1(k), v => v_d1(k), apart => apart(k));
+  end generate apart_unit;
+
+  -- Clock 9
+  clock_9 : process (clk)
+  begin
+    if rising_edge(clk) then
+      for k in 0 to 1 loop
+        apart_in_phase_word_d1(k) <= apart(8)(k) & apart(7)(k) & apart(6)(k) & apart(5)(k) & apart(4)(k) & apart(3)(k)
+            & apart(2)(k) & apart(1)(k) & apart(0)(k);
+      end loop;
+    end if;
+  end process clock_9;
+  apart_in_phase_each : for k in 0 to 1 generate
+    apart_in_phase(k) <= or_reduce(apart_in_phase_word_d1(k));
+  end generate apart_in_phase_each;
+
+  -- Clock 12
+  apart_found_0_each : for k in 0 to 1 generate
+    apart_found(k)(0) <= or_reduce(apart_found_word_captured_second(k)(0) & apart_found_word_captured_first(k)(0));
+  end generate apart_found_0_each;
+  survive(0) <= survive_and_h12(0) and not apart_found(0)(0);
+  survive(2) <= survive_and_h12(2) and not apart_found(1)(0);
+
+  -- Clock 13
+  apart_found_1_each : for k in 0 to 1 generate
+    apart_found(k)(1) <= or_reduce(apart_found_word_captured_second(k)(1) & apart_found_word_captured_first(k)(1));
+  end generate apart_found_1_each;
+  survive(1) <= survive1_and_h13 and not apart_found(0)(1);
+  survive(3) <= survive3_and_h13 and not apart_found(1)(1);
+
+  -- Selectors, set in the clock before their phase
+  selectors : process (clk)
+  begin
+    if rising_edge(clk) then
+      if holds0_or_in_phase_3 = '1' then
+        d_lane_m_select_at_0 <= to_unsigned(d_lane_m_select_at_0_table(to_integer(known(phase))), 2);
+      end if;
+      if holds(0) = '1' then
+        b_chosen_select_at_1(0) <= b_chosen_select_at_1_0_table(to_integer(known(phase)));
+      end if;
+      if busy_2_or_busy_6 = '1' then
+        axis_bound_operand_select_at_2 <= axis_bound_operand_select_at_2_table(to_integer(known(phase)));
+      end if;
+    end if;
+  end process selectors;
+
+  -- Registers that are loaded once per pair
+  captures : process (clk)
+  begin
+    if rising_edge(clk) then
+      if strobe(0) = '1' then
+        b_origin_h1 <= b_origin;
+        survive1_and_h13 <= survive_and_h12(1);
+        survive3_and_h13 <= survive_and_h12(3);
+      end if;
+      for k in 0 to 2 loop
+        if strobe((k + 3) mod 4) = '1' then
+          d(k) <= d_lane;
+        end if;
+      end loop;
+      if strobe(3) = '1' then
+        for i in 0 to 2 loop
+          query_error_resized_h4(i) <= signed(resize(query_error(i), 26));
+        end loop;
+        axis_bound_x1_h2 <= axis_bound(0)(1);
+        axis_bound_y_h2 <= axis_bound(1);
+        query_row1_h4 <= query_row(1);
+        query_row3_h4 <= query_row(3);
+        query_row5_h4 <= query_row(5);
+        query_row7_h4 <= query_row(7);
+        query_row9_h4 <= query_row(9);
+        query_row11_h4 <= query_row(11);
+        query_row13_h4 <= query_row(13);
+        query_row15_h4 <= query_row(15);
+        query_row17_h4 <= query_row(17);
+        b_exponent_h4 <= b_exponent;
+        a_code_h4 <= a_code;
+        for k in 0 to 1 loop
+          a_code0_h8(k) <= a_code_h4(k)(0);
+          a_code2_h8(k) <= a_code_h4(k)(2);
+          a_code4_h8(k) <= a_code_h4(k)(4);
+          a_code6_h8(k) <= a_code_h4(k)(6);
+          a_code8_h8(k) <= a_code_h4(k)(8);
+          a_code10_h8(k) <= a_code_h4(k)(10);
+          a_code12_h8(k) <= a_code_h4(k)(12);
+          a_code14_h8(k) <= a_code_h4(k)(14);
+          a_code16_h8(k) <= a_code_h4(k)(16);
+        end loop;
+        a_exponent_h4 <= a_exponent;
+        survive_and_h4(0) <= a_take(0) and b_take(0);
+        survive_and_h4(1) <= a_take(0) and b_take(1);
+        survive_and_h4(2) <= a_take(1) and b_take(0);
+        survive_and_h4(3) <= a_take(1) and b_take(1);
+        survive_and_h8 <= survive_and_h4;
+        survive_and_h12 <= survive_and_h8;
+      end if;
+      if strobe(1) = '1' then
+        query_error_resized_h6 <= query_error_resized_h4;
+        b_code1_h2 <= b_code(1);
+        ceiling_h2 <= to_unsigned(ceiling_table(to_integer(known(b_exponent))), 11);
+      end if;
+      if strobe(2) = '1' then
+        b_exponent_h7 <= b_exponent_h4;
+        a_exponent_h7 <= a_exponent_h4;
+      end if;
+      for k in 0 to 1 loop
+        for m in 0 to 1 loop
+          if strobe(m + 1) = '1' then
+            apart_found_word_captured_first(k)(m) <= apart_in_phase(k);
+          end if;
+          if strobe((m + 3) mod 4) = '1' then
+            apart_found_word_captured_second(k)(m) <= apart_in_phase(k);
+          end if;
+        end loop;
+      end loop;
+      if in_phase_0 = '1' then
+        busy_2 <= holds(0);
+        busy_6 <= holds(1);
+      end if;
+    end if;
+  end process captures;
+end architecture rtl;
