@@ -393,5 +393,6 @@ fn few(format: &EngineFormat, count: u32) -> Vec<u8> {
 #[test]
 fn images_are_refused_in_c_as_here() {
     let home = ready();
-    images_agree(&EngineParams::default(), &Params::default(), home.path(), if full() { 1 } else { 10 });
+    let engine = EngineParams::default();
+    images_agree(&engine, &engine.unit(), home.path(), if full() { 1 } else { 10 });
 }
