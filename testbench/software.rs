@@ -136,7 +136,7 @@ fn in_rust(path: &Path) -> Option<Vec<String>> {
 
 /// How many rows the command line has for the same file; what they are other tests compare with the library. None also of a file whose
 /// faces are left out in part, which the library refuses.
-fn on_the_command_line(path: &Path, refused: bool) -> Option<u64> {
+fn on_the_command_line(path: &Path) -> Option<u64> {
     let (of, name) = match path.extension()?.to_str()? {
         "f64" => ("classify --method exact --retest --exact --json", "pairs"),
         "toml" => ("scene pairs --json", "touching"),
@@ -161,7 +161,7 @@ fn python_rust_and_the_command_line_answer_alike() {
     let rust: Vec<Option<Vec<String>>> = files.iter().map(|path| in_rust(path)).collect();
     for (path, answers) in files.iter().zip(&rust) {
         let count = answers.as_ref().map(|answers| answers.len() as u64);
-        assert_eq!(on_the_command_line(path, count.is_none()), count, "{}", path.display());
+        assert_eq!(on_the_command_line(path), count, "{}", path.display());
     }
     if let Some(python) = package() {
         let paths: Vec<&str> = files.iter().map(|path| path.to_str().unwrap()).collect();
