@@ -465,7 +465,7 @@ fn files_in_c_and_python_name_pairs() {
         let format = EngineParams::default().format(&unit).unwrap();
         let home = tempfile::tempdir().unwrap();
         let upper = unit.upper.name();
-        succeeds(&home, &format!("generate --engine --pairs-by-number --out rtl --upper {upper}"));
+        succeeds(&home, &format!("generate --engine --pairs-by-number --out rtl --method axes --upper {upper}"));
         let (mut c, mut python, mut due) = (String::new(), String::new(), String::new());
         for _ in 0..40 {
             let packet = random_packet(&mut rng, &format, &unit);
