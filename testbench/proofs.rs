@@ -258,20 +258,20 @@ fn volumes() {
 #[test]
 fn certificates() {
     let (true, Some(tools)) = (tools::there(), certificate::Tools::new()) else { return };
-    let [right, wrong] = sums::exact_sums(4, true)[0].answers().map(|answer| answer.formulas);
-    let [dir, other] = [&right, &wrong].map(|formulas| formulas.dir.path());
+    let [right, wrong] = sums::exact_sums(4, true)[0].answers().map(|answer| answer.formula.expect("a formula"));
     let found = tools.certify(&right).unwrap().expect("a certificate in time");
     table::print(&format!("\nCertificate of a sum of 4 bits: {found}\n"));
-    let [formula, proof, hints] = ["claim.cnf", "claim.drat", "claim.lrat"].map(|name| dir.join(name));
-    let wrong = other.join("claim.cnf");
-    assert_eq!(tools.decide(&wrong, &other.join("claim.drat")), Err("there is a solution".to_owned()));
-    tools.check(&wrong, &proof, &other.join("claim.lrat")).unwrap_err();
+    let (formula, [proof, hints]) = (right.path(), right.certificates());
+    let [of_wrong, with_hints] = wrong.certificates();
+    let wrong_formula = wrong.path();
+    assert_eq!(tools.decide(&wrong_formula, &of_wrong), Err("there is a solution".to_owned()));
+    tools.check(&wrong_formula, &proof, &with_hints).unwrap_err();
     let read = |path| std::fs::read_to_string(path).unwrap();
     let (formula_text, steps) = (read(&formula), read(&hints));
     // Without the first step that adds a clause.
     let first = steps.lines().find(|line| !line.contains(" d ")).expect("a step");
     let fewer = crate::tools::replaced(&steps, &format!("{first}\n"), "");
-    let theorems = [(&formula_text, &steps), (&formula_text, &fewer), (&read(&wrong), &steps)];
+    let theorems = [(&formula_text, &steps), (&formula_text, &fewer), (&read(&wrong_formula), &steps)];
     if let Some(accepted) =
         crate::theorems::certified(&theorems.map(|(formula, steps)| certificate::theorem(formula, steps)))
     {

@@ -5,7 +5,7 @@ use crate::tools::{program, skip};
 use efsat_hardware::tools::{Tool, find};
 use std::fmt;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 use tempfile::TempDir;
@@ -13,15 +13,29 @@ use tempfile::TempDir;
 /// Most seconds for one certificate.
 const PATIENCE: &str = "600";
 
-/// Formulas that have no solution if a claim holds, as files in the format DIMACS.
+/// The folder of a formula that has no solution if a claim holds, in the format DIMACS, and of what is made of it.
 #[derive(Debug)]
-pub struct Formulas {
-    pub dir: TempDir,
-    pub names: Vec<&'static str>,
+pub struct Formula(TempDir);
+
+impl Formula {
+    pub const NAME: &str = "claim.cnf";
+
+    /// That in a folder, if there is one.
+    pub fn found(dir: TempDir) -> Option<Self> {
+        dir.path().join(Self::NAME).exists().then_some(Self(dir))
+    }
+
+    pub fn path(&self) -> PathBuf {
+        self.0.path().join(Self::NAME)
+    }
+
+    /// Where its certificate is, and the same with hints.
+    pub fn certificates(&self) -> [PathBuf; 2] {
+        ["drat", "lrat"].map(|extension| self.path().with_extension(extension))
+    }
 }
 
-/// What was checked: clauses of the formulas, bytes of the certificates, seconds of CaDiCaL and of the checker.
-#[derive(Default)]
+/// What was checked: clauses of the formula, bytes of the certificate, seconds of CaDiCaL and of the checker.
 pub struct Certificate {
     clauses: u64,
     bytes: u64,
@@ -55,24 +69,18 @@ impl Tools {
         Some(Self { solver: tool("CaDiCaL", "cadical")?, checker: tool("rate", "rate")? })
     }
 
-    /// Writes and checks the certificates of all formulas; none if the solver does not end in time.
-    pub fn certify(&self, formulas: &Formulas) -> Result<Option<Certificate>, String> {
-        let mut sum = Certificate::default();
-        for name in &formulas.names {
-            let path = |extension: &str| formulas.dir.path().join(name).with_extension(extension);
-            let (formula, proof) = (path("cnf"), path("drat"));
-            let start = Instant::now();
-            if !self.decide(&formula, &proof)? {
-                return Ok(None);
-            }
-            let decided = start.elapsed();
-            self.check(&formula, &proof, &path("lrat"))?;
-            sum.seconds[0] += decided.as_secs_f64();
-            sum.seconds[1] += (start.elapsed() - decided).as_secs_f64();
-            sum.clauses += clauses(&formula);
-            sum.bytes += fs::metadata(&proof).expect("a certificate").len();
+    /// Writes and checks the certificate of a formula; none if the solver does not end in time.
+    pub fn certify(&self, formula: &Formula) -> Result<Option<Certificate>, String> {
+        let (path, [proof, hints]) = (formula.path(), formula.certificates());
+        let start = Instant::now();
+        if !self.decide(&path, &proof)? {
+            return Ok(None);
         }
-        Ok(Some(sum))
+        let decided = start.elapsed();
+        self.check(&path, &proof, &hints)?;
+        let seconds = [decided, start.elapsed() - decided].map(|time| time.as_secs_f64());
+        let bytes = fs::metadata(&proof).expect("a certificate").len();
+        Ok(Some(Certificate { clauses: clauses(&path), bytes, seconds }))
     }
 
     /// Writes why a formula has no solution; whether that ends in time.

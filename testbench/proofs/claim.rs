@@ -1,6 +1,6 @@
 //! A claim about a unit, as a Verilog module: the unit, free true numbers, what is given and what is shown.
 
-use super::certificate::{Formulas, Tools};
+use super::certificate::{Formula, Tools};
 use super::tools::{self, Answer, Outcome};
 use super::unit::{AROUND, Mistake, Mutant, Subject, Wire};
 use crate::extent::{full, share};
@@ -260,7 +260,7 @@ impl Row {
         };
         let alive: Vec<String> = mutants.iter().filter_map(alive).collect();
         let refuted = [mutants.len() - alive.len(), mutants.len()];
-        let certificate = if failure.is_none() { certified(&answer.formulas) } else { Ok(String::new()) };
+        let certificate = if failure.is_none() { certified(answer.formula.as_ref()) } else { Ok(String::new()) };
         let refused = certificate.as_ref().err().map(|reason| format!("certificate: {reason}"));
         let failures = failure.into_iter().chain(refused).chain(alive).collect();
         let certificate = certificate.unwrap_or_default();
@@ -269,9 +269,10 @@ impl Row {
 }
 
 /// The certificate of a claim, if everything is asked for. That a solver or a checker says something else is a failure.
-fn certified(formulas: &Formulas) -> Result<String, String> {
+fn certified(formula: Option<&Formula>) -> Result<String, String> {
     let Some(tools) = full().then(Tools::new).flatten() else { return Ok(String::new()) };
-    Ok(tools.certify(formulas)?.map_or("no certificate in time".to_owned(), |found| found.to_string()))
+    let Some(formula) = formula else { return Ok("no certificate: there is no formula".to_owned()) };
+    Ok(tools.certify(formula)?.map_or("no certificate in time".to_owned(), |found| found.to_string()))
 }
 
 /// The name of the word of which a wire is an element.

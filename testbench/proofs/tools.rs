@@ -1,7 +1,7 @@
 //! The tools of a machine proof: GHDL turns the generated VHDL into Verilog, Yosys joins it with a claim and asks its
 //! SAT solver.
 
-use super::certificate::Formulas;
+use super::certificate::Formula;
 use crate::tools::{has, made, run};
 use efsat::evidence::synth::verilog;
 use std::fs;
@@ -34,8 +34,8 @@ pub struct Answer {
     pub outcome: Outcome,
     /// Seconds of Yosys' processor time, which other load does not change much.
     pub seconds: f64,
-    /// What was asked; without a solution if the claim holds.
-    pub formulas: Formulas,
+    /// What was asked; none of an induction, for which Yosys writes another formula than it solves.
+    pub formula: Option<Formula>,
 }
 
 /// Whether both tools are installed.
@@ -49,21 +49,15 @@ pub fn verilog(files: &[(String, String)], top: &str) -> String {
     verilog::from_vhdl(files, top, dir.path()).unwrap_or_else(|e| panic!("{top}: {e}"))
 }
 
-/// Runs Yosys on sources and a script that writes formulas.
-fn yosys(
-    sources: &[(&str, &str)],
-    script: &str,
-    formulas: &[&'static str],
-    outcome: impl Fn(&str) -> Outcome,
-) -> Answer {
+/// Runs Yosys on sources and a script, which may write a formula.
+fn yosys(sources: &[(&str, &str)], script: &str, outcome: impl Fn(&str) -> Outcome) -> Answer {
     let dir = TempDir::new().expect("a folder for Yosys");
     for (name, text) in sources.iter().chain(&[("script.ys", script)]) {
         fs::write(dir.path().join(name), text).expect("a source for Yosys");
     }
     let text = run(dir.path(), "yosys", &["-s", "script.ys"]);
     let seconds = text.rsplit_once("CPU: user ").and_then(|(_, rest)| rest.split_once('s')?.0.parse().ok());
-    let formulas = Formulas { dir, names: formulas.to_vec() };
-    Answer { outcome: outcome(&text), seconds: seconds.unwrap_or(f64::NAN), formulas }
+    Answer { outcome: outcome(&text), seconds: seconds.unwrap_or(f64::NAN), formula: Formula::found(dir) }
 }
 
 /// Asks whether the module `claim`, a claim about the clocked entity `top`, holds at the start, and after a clock if it held
@@ -91,13 +85,12 @@ opt_expr
 opt_clean
 select -assert-none t:$mem*
 select -assert-min 1 t:$assert
-sat -seq 1 -prove-asserts -set-assumes -timeout {PATIENCE}
 sat -tempinduct -prove-asserts -set-assumes -show-inputs -maxsteps 1 -timeout {PATIENCE}
 ",
         wires(seen),
         wires(words),
     );
-    yosys(&[("unit.v", unit), ("claim.v", claim)], &script, &[], |text| {
+    yosys(&[("unit.v", unit), ("claim.v", claim)], &script, |text| {
         if text.contains("Induction step proven: SUCCESS!") {
             Outcome::Proved
         } else if text.contains("proof failed.") || text.contains("FAIL!") {
@@ -134,12 +127,13 @@ alumacc t:$mul
 maccmap
 opt -full
 select -assert-min 1 t:$assert
-sat -prove-asserts -set-assumes -show-inputs -timeout {PATIENCE} -dump_cnf claim.cnf
+sat -prove-asserts -set-assumes -show-inputs -timeout {PATIENCE} -dump_cnf {}
 ",
         expose("", seen),
         expose("-cut -sep __", cut),
+        Formula::NAME,
     );
-    yosys(&[("unit.v", unit), ("claim.v", claim), ("wires.v", WIRES)], &script, &["claim"], |text| {
+    yosys(&[("unit.v", unit), ("claim.v", claim), ("wires.v", WIRES)], &script, |text| {
         if text.contains("no model found: SUCCESS!") {
             Outcome::Proved
         } else if let Some((_, found)) = text.split_once("model found: FAIL!") {

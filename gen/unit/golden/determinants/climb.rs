@@ -266,11 +266,11 @@ fn each_constant_less_one_is_noticed() {
 fn constants_with_room_are_not_passed() {
     let mut rng = ChaCha8Rng::seed_from_u64(40);
     let mut halved = SECTION_5;
-    let Constants { plane_a, plane_b_i, ends: [first, last], side_1, three_points, four_points, .. } = &mut halved;
-    for k in [&mut plane_a.k, &mut plane_b_i.k, &mut first.k, &mut last.k, &mut side_1.k, &mut four_points.k] {
-        *k -= 1;
-    }
-    three_points.k -= 1;
+    let Constants { plane_a, plane_b_i, ends: [first, last], side_1, three_points: three, four_points: four, .. } =
+        &mut halved;
+    let of_rows =
+        [&mut plane_a.k, &mut plane_b_i.k, &mut first.k, &mut last.k, &mut side_1.k, &mut three.k, &mut four.k];
+    of_rows.into_iter().for_each(|k| *k -= 1);
     let seven = Constants { rest: 7, ..SECTION_5 };
     for (bound, number) in Bound::ALL.iter().flat_map(|&bound| (0..NUMBERS).map(move |number| (bound, number))) {
         for n in 0..if full() { 400 } else { 12 } {
