@@ -5,6 +5,7 @@ mod in_c;
 use crate::tools::program::{object, refuses, succeeds};
 use crate::tools::{CHECKED, compiles_everywhere, has, run};
 use efsat::collide::hierarchy::Directions;
+use efsat::engine::artefact::EngineDesign;
 use efsat::engine::format::EngineFormat;
 use efsat::engine::model::{Model, Query, QueryRow, Side};
 use efsat::engine::params::EngineParams;
@@ -12,16 +13,24 @@ use efsat::engine::params::Memory;
 use efsat::engine::words::{Command as Order, EngineAnswer, EngineReport, QueryFlags, Reason};
 use efsat::number::Upper;
 use efsat::pair::{Input, Pose};
-use efsat::params::options::Choice;
 use efsat::params::{Params, Quantity};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::fmt::Write;
 use std::fs;
+use tempfile::TempDir;
 
 const IN_C: &str = include_str!("engine_host/host.c");
 
 const IN_PYTHON: &str = include_str!("engine_host/host.py");
+
+/// The files of an engine in the folder `rtl` of one of their own, by its command line.
+pub(crate) fn generated(design: &EngineDesign) -> TempDir {
+    let home = tempfile::tempdir().unwrap();
+    let command = design.command_line();
+    succeeds(&home, &format!("{} --out rtl", command.strip_prefix("efsat ").unwrap()));
+    home
+}
 
 /// A query of any numbers that its fields hold, in its pose inside the declared ranges.
 fn random_query(rng: &mut ChaCha8Rng, format: &EngineFormat, unit: &Params) -> Query {
@@ -208,14 +217,8 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
     for (engine, unit) in
         [(EngineParams::default(), sticky), (corners, Params::default()), (block_ram, Params::default())]
     {
-        let (home, format) = (tempfile::tempdir().unwrap(), engine.format(&unit).unwrap());
-        let of_engine = engine.options().into_iter().filter(|(name, _)| engine.has(name));
-        let options = of_engine.chain(
-            [("method", unit.method.name()), ("upper", unit.upper.name())]
-                .map(|(name, value)| (name, value.to_owned())),
-        );
-        let options: String = options.map(|(name, value)| format!(" --{name} {value}")).collect();
-        succeeds(&home, &format!("generate --engine --out rtl{options}"));
+        let design = EngineDesign::new(&engine, &unit).unwrap();
+        let (home, format) = (generated(&design), design.format);
         let (mut asked, mut due) = (String::new(), String::new());
         let mut add = |[line, lines]: [String; 2]| {
             asked += &(line + "\n");
@@ -245,7 +248,12 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
         for command in ["./test < asked", "python3 -B test.py < asked"].iter().take(if python { 2 } else { 1 }) {
             let found = run(&host, "sh", &["-c", command]);
             let differs = found.lines().zip(due.lines()).find(|(found, due)| found != due);
-            assert_eq!((differs, found.lines().count()), (None, due.lines().count()), "{command}: {options}");
+            assert_eq!(
+                (differs, found.lines().count()),
+                (None, due.lines().count()),
+                "{command}: {}",
+                design.command_line()
+            );
         }
     }
 }

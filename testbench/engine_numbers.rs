@@ -1,9 +1,9 @@
 //! The engine that takes pairs by number, in GHDL and in Verilator, against its reference model: answers in order, every end of a packet,
 //! memory with latencies, gaps and faults, soft resets, and a pair per clock.
 
+use crate::engine_host::generated;
 use crate::engine_rtl::{Bench, axi, fine, number, small};
 use crate::extent::{full, in_full, share};
-use crate::tools::program::succeeds;
 use crate::tools::{CHECKED, compiles_everywhere, ghdl_of_long_runs, has, made, run};
 use efsat::artefact::Prefix;
 use efsat::design::Design;
@@ -463,9 +463,8 @@ fn files_in_c_and_python_name_pairs() {
     let mut rng = ChaCha8Rng::seed_from_u64(9);
     for unit in [Params::default(), Params { upper: Upper::Sticky, ..Params::default() }] {
         let format = EngineParams::default().format(&unit).unwrap();
-        let home = tempfile::tempdir().unwrap();
         let upper = unit.upper.name();
-        succeeds(&home, &format!("generate --engine --pairs-by-number --out rtl --method axes --upper {upper}"));
+        let home = generated(&design(&EngineParams::default(), &unit));
         let (mut c, mut python, mut due) = (String::new(), String::new(), String::new());
         for _ in 0..40 {
             let packet = random_packet(&mut rng, &format, &unit);

@@ -315,13 +315,8 @@ fn poses_of_other_engines_become_the_same_words_in_c() {
     ];
     let mut rests = 0;
     for (seed, (engine, unit, by_number)) in (2..).zip(cases) {
-        let home = tempfile::tempdir().unwrap();
-        let of_engine = engine.options().into_iter().filter(|(name, _)| engine.has(name) && !by_number);
-        let of_unit = [("method", unit.method.name()), ("upper", unit.upper.name())];
-        let options = of_engine.chain(of_unit.map(|(name, value)| (name, value.to_owned())));
-        let options: String = options.map(|(name, value)| format!(" --{name} {value}")).collect();
-        let by = if by_number { " --pairs-by-number" } else { "" };
-        succeeds(&home, &format!("generate --engine --out rtl{by}{options}"));
+        let design = if by_number { EngineDesign::by_number } else { EngineDesign::new };
+        let home = generated(&design(&engine, &unit).unwrap());
         let host = home.path().join("rtl/host");
         compiles_everywhere(&host.join("efsat_engine_pose.h"));
         let counts = poses_agree(&engine, &unit, by_number, &host, if full() { 100_000 } else { 1_000 }, seed);

@@ -28,6 +28,7 @@ use efsat_hardware::vhdl::Clash;
 use efsat_unit::artefact::{Prefix, origin, vhdl_files};
 use efsat_unit::design::Design;
 use efsat_unit::design::top::DesignError;
+use efsat_unit::params::options::Choice;
 use efsat_unit::params::{ParamError, Params};
 use efsat_unit::parts::Core;
 use efsat_unit::words::PacketKind;
@@ -122,10 +123,13 @@ impl EngineDesign {
     pub const OPTIONS_BY_NUMBER: [&'static str; 5] =
         ["memory", "memory-width", "watchdog", "axi-id-bits", "triangle-lines"];
 
-    /// The command line that generates the engine, all options spelled out.
+    /// The command line that generates the engine, all options spelled out: the method of axes too, which is not the default of an
+    /// engine.
     pub fn command_line(&self) -> String {
-        let unit = self.unit.params.options().into_iter().filter(|(name, _)| *name != "tag-width");
-        let options = unit.chain(self.options()).map(|(name, value)| format!(" --{name} {value}"));
+        let unit = &self.unit.params;
+        let others = unit.options().into_iter().filter(|(name, _)| !["method", "tag-width"].contains(name));
+        let options = [("method", unit.method.name().to_owned())].into_iter().chain(others).chain(self.options());
+        let options = options.map(|(name, value)| format!(" --{name} {value}"));
         let by_number = if self.by_number { " --pairs-by-number" } else { "" };
         format!("efsat generate --engine{by_number}{}", options.collect::<String>())
     }
