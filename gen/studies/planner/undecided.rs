@@ -3,7 +3,7 @@
 use super::Contact;
 use efsat_geometry::scene::{Meeting, Scene};
 use efsat_unit::golden::{Golden, Reason};
-use efsat_unit::host::ReadyScene;
+use efsat_unit::host::{ReadyMeeting, ReadyScene, ScenePose};
 use efsat_unit::pair::Verdict;
 use efsat_unit::params::Params;
 
@@ -29,16 +29,26 @@ impl<'a> Undecided<'a> {
     }
 
     fn of_meeting(&self, meeting: Option<&Meeting>, contacts: &[Contact]) -> Vec<Option<Reason>> {
-        let is_open = |contact: &Contact| contact.verdict == Some(Verdict::PossiblyIncorrect);
         let Some(meeting) = meeting.filter(|_| contacts.iter().any(is_open)) else {
             return vec![None; contacts.len()];
         };
         let posed = self.stage.posed(meeting);
         let host = posed.host();
-        let reason = |contact: &Contact| {
-            let [a, b] = posed.faces(contact.place.pair);
-            is_open(contact).then(|| host.pair(a, b).reason(&self.golden, &host.pose)).flatten()
-        };
-        contacts.iter().map(reason).collect()
+        contacts.iter().map(|contact| reason(&self.golden, &posed, &host, contact)).collect()
     }
+}
+
+fn is_open(contact: &Contact) -> bool {
+    contact.verdict == Some(Verdict::PossiblyIncorrect)
+}
+
+/// Why a contact of a meeting is undecided; none of one that is decided.
+pub(super) fn reason(
+    golden: &Golden,
+    posed: &ReadyMeeting<'_>,
+    host: &ScenePose<'_>,
+    contact: &Contact,
+) -> Option<Reason> {
+    let [a, b] = posed.faces(contact.place.pair);
+    is_open(contact).then(|| host.pair(a, b).reason(golden, &host.pose)).flatten()
 }

@@ -4,6 +4,7 @@ use super::Front;
 use super::mark::Mark;
 use super::outcome::{Contact, Counted, Row};
 use super::segment::segment;
+use super::undecided::reason;
 use askama::Template;
 use efsat_geometry::scene::{Frame, Pose};
 use efsat_unit::golden::{Golden, Margin, Reason};
@@ -142,9 +143,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
                     signs
                 });
                 let exact = contact.exact.map_or(String::new(), |exact| exact.to_string());
-                let [a, b] = posed.faces((p, q));
-                let is_open = contact.verdict == Some(Verdict::PossiblyIncorrect);
-                let reason = is_open.then(|| host.pair(a, b).reason(&self.golden, &host.pose)).flatten().map(in_words);
+                let reason = reason(&self.golden, &posed, &host, contact).map(in_words);
                 pairs.push(Pair(Mark::of(contact) as usize, meeting.a, meeting.b, p, q, exact, says, ends, reason));
             }
         }
