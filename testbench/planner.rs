@@ -307,6 +307,9 @@ fn runs_are_answered_by_the_engine_too() {
     let files = "--csv rows.csv --pairs pairs.csv --picture p.svg --view v.html --frame 1";
     let plan = succeeds(dir, "plan-engine s.toml");
     assert!(plan.contains("\nefsat generate --engine") && plan.contains("its limit: "), "{plan}");
+    // The engine is pipelined for the part that it is planned for.
+    let plan = succeeds(dir, "plan-engine s.toml --device xc7a200t-1");
+    assert!(plan.contains(" --device xc7a200t-1 --out engine"), "{plan}");
     refuses(dir, "plan-engine nothing.toml", "nothing.toml: cannot be read");
     let report = object(dir, &format!("scene run s.toml --engine model --json {files}"));
     let exact = |name: &str| -> Vec<String> {

@@ -115,7 +115,7 @@ impl Candidate {
         let usual = EngineParams::default();
         let mut all = self.engine.options();
         all.retain(|option| !usual.options().contains(option));
-        all.extend(self.unit.differences(&Params { device: self.unit.device.clone(), ..self.engine.unit() }));
+        all.extend(self.unit.differences(&self.engine.unit()));
         all.iter().map(|(name, value)| format!(" --{name} {value}")).collect()
     }
 }
@@ -205,9 +205,8 @@ pub fn count(scene: &Scene, engine: &EngineParams, done: impl Fn() + Sync) -> Re
 /// What the entities around both units take, about: `efsat synth --engine` counts so much of the default engine.
 const AROUND: Resources = Resources { multipliers: 0, luts: 13_000, memory_luts: 0, flip_flops: 8_000, carry: 0 };
 
-/// Which engines there are for a scene and a part, at most so many, the fastest first; of equally fast ones the smallest, with the least traffic of
-/// memory. `done` is called after each
-/// frame, for each set of directions.
+/// Which engines there are for a scene and a part, at most so many, the fastest first; of equally fast ones the smallest, with the
+/// least traffic of memory. `done` is called after each frame, for each set of directions.
 ///
 /// # Errors
 /// See [`PlanError`].

@@ -158,11 +158,12 @@ mod tests {
         }
     }
 
-    /// B a little above the plane of A and far within its borders: the normal of A is what is uncertain.
+    /// B a little above the plane of A, far within its borders and with no edge parallel to one of A: the normal of A is what is
+    /// uncertain.
     #[test]
     fn the_nearest_test_is_named() {
         let above = 1e-6;
-        let points = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0.2, 0.2, above], [0.3, 0.2, 1.0], [0.2, 0.3, 1.0]];
+        let points = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0.2, 0.2, above], [0.4, 0.2, 1.0], [0.2, 0.3, 1.0]];
         let said = |method| {
             let params = Params::of(method);
             let Ok(Host::Unit(pair)) = loose_pair(&points, &params) else { unreachable!("it fits") };
