@@ -118,7 +118,8 @@ pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
 }
 
 /// Words that name a family, and one of its devices.
-const FAMILIES: [(&[&str], &str, &str); 4] = [
+const FAMILIES: [(&[&str], &str, &str); 5] = [
+    (&["xczu", "xck", "xcku", "xcvu", "ultrascale", "kria"], "UltraScale+", "xczu3eg-1"),
     (&["xc7", "artix", "kintex", "zynq", "spartan7"], "the 7 series", "xc7a100t-1"),
     (&["xc6", "spartan6"], "Spartan-6", "xc6slx150-3"),
     (&["xc2v", "virtex2"], "Virtex-II", "xc2v6000-4"),
@@ -129,5 +130,7 @@ const FAMILIES: [(&[&str], &str, &str); 4] = [
 fn of_family(device: &str) -> String {
     let name: String = device.to_lowercase().chars().filter(char::is_ascii_alphanumeric).collect();
     let known = FAMILIES.iter().find(|(words, ..)| words.iter().any(|word| name.starts_with(word)));
-    known.map_or(String::new(), |(_, family, like)| format!("; for another device of {family} take {like}"))
+    known.map_or(String::new(), |(_, family, like)| {
+        format!("; for another device of {family} take {like}, or a file NAME.toml of your own")
+    })
 }

@@ -105,6 +105,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.diagram.wanted() {
         return arguments.diagram.run(&design);
     }
+    reaches(&design, design.clock())?;
     let out = &folder(arguments, &params)?;
     let mut packaging = arguments.packaging();
     let mut set = files(&design, &packaging)?;
@@ -130,10 +131,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some((kind, used, there)) = estimate::whole(&design.top, design.device).shortage(&design.device.capacity) {
         warn(&format!("{} has {there} {kind}; the design is predicted to take {used}", design.device.name));
     }
-    if let Some((megahertz, end)) = design.missed_clock() {
-        warn(&format!("{megahertz:.1} MHz are expected, below --frequency: {end} takes longer than a clock by itself"));
-    }
     Ok(())
+}
+
+/// Refuses a clock that the longest operation between registers does not hold.
+fn reaches(design: &Design, (megahertz, end): (f64, &str)) -> Result<(), Failure> {
+    let Params { device, frequency, .. } = &design.params;
+    if megahertz + 1e-6 >= f64::from(*frequency) {
+        return Ok(());
+    }
+    Err(Failure::Usage(format!(
+        "--frequency {frequency}: on {device} {end} takes {:.1} ns between registers and cannot be divided: expected at most {}",
+        1000.0 / megahertz,
+        megahertz.floor()
+    )))
 }
 
 fn files(design: &Design, packaging: &Packaging) -> Result<FileSet, Failure> {
@@ -262,6 +273,10 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
         false => arguments.engine_params.design(&arguments.params)?,
         true => arguments.engine_params.design_by_number(&arguments.params)?,
     };
+    reaches(&design.unit, design.unit.clock())?;
+    if !design.by_number {
+        reaches(&design.unit, design.volume.clock())?;
+    }
     let prefix = arguments.name.clone().unwrap_or_default();
     let name = prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
     let verilog = if arguments.verilog { " --verilog" } else { "" };

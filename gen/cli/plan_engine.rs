@@ -4,7 +4,6 @@ use super::error::Failure;
 use super::output::print;
 use super::progress;
 use super::source::load_scene;
-use clap::builder::PossibleValuesParser;
 use efsat_hardware::device;
 use efsat_studies::engine_plan::{Candidate, PlanError, plan};
 use std::fmt::Write;
@@ -23,7 +22,7 @@ pub(super) struct Arguments {
     #[arg(value_name = "FILE")]
     file: String,
     /// The part
-    #[arg(long, value_name = "NAME", default_value = "xc2v6000-4", value_parser = PossibleValuesParser::new(device::names()))]
+    #[arg(long, value_name = "NAME", default_value = "xc2v6000-4", value_parser = efsat_unit::params::options::device())]
     device: String,
     /// At most so many engines on the part
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = super::params::whole(1..=64), allow_negative_numbers = true)]

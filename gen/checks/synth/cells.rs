@@ -80,7 +80,9 @@ fn block_rams(kind: &str) -> u64 {
 fn resources(kind: &str, family: Family) -> Resources {
     let none = Resources::default();
     match kind {
-        "MULT18X18" | "MULT18X18S" | "DSP48A1" | "DSP48E1" | "MULT18X18D" => Resources { multipliers: 1, ..none },
+        "MULT18X18" | "MULT18X18S" | "DSP48A1" | "DSP48E1" | "DSP48E2" | "MULT18X18D" => {
+            Resources { multipliers: 1, ..none }
+        }
         "LUT1" | "LUT2" | "LUT3" | "LUT4" | "LUT5" | "LUT6" | "INV" => Resources { luts: 1, ..none },
         "CCU2C" => Resources { luts: 2, carry: 2, ..none },
         "MUXCY" => Resources { carry: 1, ..none },

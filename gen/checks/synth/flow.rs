@@ -8,14 +8,20 @@ use efsat_unit::params::options::Choice;
 pub struct Flow(Family);
 
 impl Choice for Flow {
-    const ALL: &'static [Self] =
-        &[Self(Family::Virtex2), Self(Family::Spartan6), Self(Family::Series7), Self(Family::Ecp5)];
+    const ALL: &'static [Self] = &[
+        Self(Family::Virtex2),
+        Self(Family::Spartan6),
+        Self(Family::Series7),
+        Self(Family::UltraScalePlus),
+        Self(Family::Ecp5),
+    ];
 
     fn name(self) -> &'static str {
         match self.0 {
             Family::Virtex2 => "yosys-xc2v",
             Family::Spartan6 => "yosys-xc6s",
             Family::Series7 => "yosys-xc7",
+            Family::UltraScalePlus => "yosys-xcup",
             Family::Ecp5 => "ecp5",
         }
     }

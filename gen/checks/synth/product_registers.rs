@@ -58,7 +58,7 @@ impl Names {
         match family {
             Family::Virtex2 => Some(VIRTEX2),
             Family::Ecp5 => Some(ECP5),
-            Family::Spartan6 | Family::Series7 => None,
+            Family::Spartan6 | Family::Series7 | Family::UltraScalePlus => None,
         }
     }
 

@@ -77,6 +77,7 @@ pub fn units(family: Family, top: &str) -> String {
         }
         Family::Spartan6 => without_adders(&xilinx("xc6s", top)),
         Family::Series7 => without_adders(&xilinx("xc7", top)),
+        Family::UltraScalePlus => without_adders(&xilinx("xcup", top)),
         Family::Ecp5 => format!("synth_ecp5 -abc9 -top {top} -noflatten\n"),
     }
 }

@@ -7,9 +7,11 @@
 mod block_ram;
 mod ecp5;
 mod fabric;
+mod own;
 pub mod resources;
 mod series7;
 mod spartan6;
+mod ultrascale_plus;
 // For the static timing of the checks.
 #[doc(hidden)]
 pub mod virtex2;
@@ -89,6 +91,8 @@ pub enum Family {
     Spartan6,
     /// 7-series: Vivado.
     Series7,
+    /// UltraScale+: Vivado.
+    UltraScalePlus,
     /// ECP5: nextpnr, Diamond.
     Ecp5,
 }
@@ -112,17 +116,38 @@ pub const MULTIPLIER_BITS: u32 = 18;
 /// Bits of the shortest product that is worth a multiplier; look-up tables make shorter ones.
 pub const SHORTEST_PRODUCT: u32 = 9;
 
-const DEVICES: [Device; 6] =
-    [virtex2::XC2V6000, spartan6::XC6SLX150, series7::XC7A200T, ecp5::LFE5U_85, series7::XC7A100T, series7::XC7Z020];
+const DEVICES: [Device; 7] = [
+    virtex2::XC2V6000,
+    spartan6::XC6SLX150,
+    series7::XC7A200T,
+    ecp5::LFE5U_85,
+    series7::XC7A100T,
+    series7::XC7Z020,
+    ultrascale_plus::XCZU3EG,
+];
 
-/// A device name that is not known.
+/// What is behind the name of a file of one's own.
+pub const OWN: &str = ".toml";
+
+/// A device that is not there.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("--device {found}: expected one of {legal}")]
-pub struct UnknownDevice {
-    /// The name given.
-    pub found: String,
-    /// The names there are.
-    pub legal: String,
+pub enum DeviceError {
+    /// A name that is not known.
+    #[error("--device {found}: expected one of {legal}, or a file NAME.toml of your own")]
+    Unknown {
+        /// The name given.
+        found: String,
+        /// The names there are.
+        legal: String,
+    },
+    /// A file of one's own that cannot be taken.
+    #[error("--device {file}: {why}")]
+    File {
+        /// The file.
+        file: String,
+        /// Where and what, and what was expected.
+        why: String,
+    },
 }
 
 /// The names of all devices.
@@ -135,15 +160,19 @@ pub fn all() -> &'static [Device] {
     &DEVICES
 }
 
-/// Finds a device by name.
+/// Finds a device by name, or reads the file of one's own with this name, which ends in `.toml`.
 ///
 /// # Errors
-/// The name, with the legal ones.
-pub fn find(name: &str) -> Result<&'static Device, UnknownDevice> {
+/// The name, with the legal ones; what is wrong with the file.
+pub fn find(name: &str) -> Result<&'static Device, DeviceError> {
+    if name.ends_with(OWN) { own::read(name) } else { known(name) }
+}
+
+fn known(name: &str) -> Result<&'static Device, DeviceError> {
     DEVICES
         .iter()
         .find(|d| d.name == name)
-        .ok_or_else(|| UnknownDevice { found: name.to_owned(), legal: names().join(", ") })
+        .ok_or_else(|| DeviceError::Unknown { found: name.to_owned(), legal: names().join(", ") })
 }
 
 impl Device {
@@ -187,12 +216,12 @@ impl Device {
         self.net + self.carry + self.carry_bit * f64::from(bits.saturating_sub(2))
     }
 
-    /// Delay of a comparison of two words: a carry chain of two bits a stage; where the chain is [`Chains::Complete`], one
-    /// of all bits, and the flag from two of its carries and the sign.
-    pub fn comparison(&self, bits: u32) -> f64 {
+    /// Delay of a test whether two words are equal: a carry chain with two bits a stage; a tree of tables where the chain is
+    /// [`Chains::Complete`].
+    pub fn equality(&self, bits: u32) -> f64 {
         match self.fabric.chains {
             Chains::WithTables => self.chain(bits.div_ceil(2)),
-            Chains::Complete => self.chain(bits) + self.chain(2) + self.tree(2),
+            Chains::Complete => self.tree(2 * bits),
         }
     }
 
@@ -234,13 +263,30 @@ impl Device {
 
     /// Delay of a hardware multiplier to its register, for the top bit of a product of that many bits.
     pub fn product(&self, bits: u32) -> f64 {
-        self.net + self.product.0 + self.product.1 * f64::from(bits - 1) - self.product_behind_register
+        self.net + self.inner_product(bits)
     }
 
-    /// Whether the operands of a product get registers of their own, because the nets to multipliers would not fit in a
-    /// period (less the set-up of a register).
+    /// The same from registers of the operands that are the multiplier's own.
+    fn inner_product(&self, bits: u32) -> f64 {
+        self.product.0 + self.product.1 * f64::from(bits - 1) - self.product_behind_register
+    }
+
+    /// Whether the operands of a product get registers of their own, because a period (less the set-up of a register) does not
+    /// hold the nets to multipliers as well.
     pub fn registers_operands(&self, bits: u32, period: f64) -> bool {
-        self.far_multipliers.is_some_and(|net| self.launch() + net + self.product(bits) > period)
+        // A register of the multiplier's own needs no net; another one is on the way to it.
+        let net = self.far_multipliers.or(self.multiplier_has_operand_registers().then_some(0.0));
+        net.is_some_and(|net| self.launch() + net + self.product(bits) > period)
+    }
+
+    fn multiplier_has_operand_registers(&self) -> bool {
+        self.fabric.multiplier_registers == MultiplierRegisters::OperandsAndProduct
+    }
+
+    /// Arrival of a product at its register in such a period, from the registers in front of it.
+    pub fn product_arrival(&self, bits: u32, period: f64) -> f64 {
+        let inner = self.multiplier_has_operand_registers() && self.registers_operands(bits, period);
+        self.launch() + if inner { self.inner_product(bits) } else { self.product(bits) }
     }
 }
 
@@ -260,7 +306,8 @@ mod tests {
     fn an_unknown_device_names_the_known() {
         assert_eq!(
             find("xc7").unwrap_err().to_string(),
-            "--device xc7: expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1, xc7z020-1"
+            "--device xc7: expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1, xc7z020-1, xczu3eg-1, \
+             or a file NAME.toml of your own"
         );
     }
 }

@@ -160,6 +160,24 @@ impl Block {
         Self { name, doc, interval, nodes: vec![], inputs: vec![], outputs: vec![], probes: vec![], ranges }
     }
 
+    /// The same made of other nodes with these ranges, and where each is now.
+    pub(crate) fn remade(&self, nodes: Vec<Node>, ranges: Vec<Range>, at: impl Fn(NodeId) -> NodeId) -> Self {
+        let inputs = self.inputs.iter().map(|id| at(*id)).collect();
+        let outputs = self.outputs.iter().map(|(place, id)| (place.clone(), at(*id))).collect();
+        let probes = self.probes.iter().map(|p| Probe { node: at(p.node), ..p.clone() }).collect();
+        let ranges = RefCell::new(ranges);
+        Self {
+            name: self.name.clone(),
+            doc: self.doc.clone(),
+            interval: self.interval,
+            nodes,
+            inputs,
+            outputs,
+            probes,
+            ranges,
+        }
+    }
+
     /// A node of this block.
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.0]

@@ -89,6 +89,7 @@ impl<'a> Lowering<'a> {
     /// ```
     pub fn lower(&mut self, block: &Rc<Block>, probed: bool) -> (Rc<Module>, Vec<Probe>) {
         let schedule = self.scheduler.schedule(block);
+        let block = &schedule.block;
         let mut modules = HashMap::new();
         for (i, node) in block.nodes.iter().enumerate() {
             let Op::Instance(child) = &node.op else { continue };

@@ -28,7 +28,7 @@ impl Operation for Equal {
     }
 
     fn delay(&self, device: &Device, args: &[Type], _: Type) -> f64 {
-        device.comparison(args.iter().map(|t| t.bits).max().unwrap_or(0))
+        device.equality(args.iter().map(|t| t.bits).max().unwrap_or(0))
     }
 
     fn gates(&self, words: &mut Words, args: &[Word], _: Type) -> Vec<Bit> {

@@ -4,8 +4,8 @@
 //! end after the period it starts a clock later from registers, and what is too long even then misses the clock. A product
 //! stands between registers, the one behind it being the multiplier's own; where the nets to multipliers would take too much
 //! of the period, there is one more register in front of each operand. A multiplexer of more than four operands that is too
-//! long takes two clocks: among the operands of each group, then among the groups, with registers between; what is too long
-//! even so stays so. Blocks are scheduled by themselves,
+//! long takes two clocks: among the operands of each group, then among the groups, with registers between. Sums, negations and
+//! comparisons that no clock holds are made of parts first (see [`divide`]); what is too long even so stays so. Blocks are scheduled by themselves,
 //! their inputs arriving from registers in clock 0, and all outputs leave at one latency; an instance then is one
 //! operation of its parent. That fixes the latency; within it nodes then start where they take the fewest register bits
 //! (see [`linear_program`]).
@@ -16,6 +16,7 @@
 
 mod constraints;
 mod cut;
+mod divide;
 // For the tests that find the optimum otherwise.
 #[doc(hidden)]
 pub mod linear_program;
@@ -57,7 +58,7 @@ impl Slot {
 /// The schedule of one block.
 #[derive(Clone, Debug)]
 pub struct Schedule {
-    /// The block.
+    /// The block, with operations divided that no clock holds.
     pub block: Rc<Block>,
     /// One slot a node.
     pub slots: Vec<Slot>,
@@ -182,6 +183,9 @@ impl Scheduler {
         if let Some(schedule) = self.done.get(&Rc::as_ptr(block)) {
             return Rc::clone(schedule);
         }
+        let whole = Rc::as_ptr(block);
+        let room = self.period - self.device.setup() - self.device.launch() + 1e-9;
+        let block = &divide::divided(block, self.device, room);
         let children: BTreeMap<usize, Rc<Schedule>> = block
             .nodes
             .iter()
@@ -205,7 +209,7 @@ impl Scheduler {
             .find_map(|pass| pass.run())
             .unwrap_or_else(|| panic!("block {}: late operands depend on themselves", block.name));
         let schedule = Rc::new(schedule);
-        self.done.insert(Rc::as_ptr(block), Rc::clone(&schedule));
+        self.done.insert(whole, Rc::clone(&schedule));
         schedule
     }
 }
@@ -245,14 +249,18 @@ impl Pass<'_> {
     }
 
     fn fits(&self, ns: f64) -> bool {
-        ns + self.device.setup() <= self.period + 1e-9
+        ns <= self.longest()
     }
 
     /// Whether a node is a product whose operands each have a register of their own.
     fn registers_operands(&self, i: usize) -> bool {
         let node = &self.block.nodes[i];
-        matches!(node.op, Op::Comb(Comb::Multiply(_)))
-            && self.device.registers_operands(node.ty.bits, self.period - self.device.setup() + 1e-9)
+        matches!(node.op, Op::Comb(Comb::Multiply(_))) && self.device.registers_operands(node.ty.bits, self.longest())
+    }
+
+    /// Latest arrival in a clock.
+    fn longest(&self) -> f64 {
+        self.period - self.device.setup() + 1e-9
     }
 
     fn interval(&self) -> i32 {
@@ -402,7 +410,7 @@ impl Pass<'_> {
         for (i, slot) in slots.iter().enumerate() {
             let ns = match &block.nodes[i].op {
                 Op::Mux { .. } if slot.from > slot.start => slot.ns.max(self.launch() + self.device.mux(GROUP)),
-                Op::Comb(Comb::Multiply(_)) => self.launch() + delay(self.device, block, i),
+                Op::Comb(Comb::Multiply(_)) => self.device.product_arrival(block.nodes[i].ty.bits, self.longest()),
                 _ => slot.ns,
             };
             if ns > critical.0 {

@@ -4,7 +4,7 @@ use super::exact::cascade;
 use super::sequencer::{self, PoseReading, Sequencer};
 use super::{determinants, exact, number::input_type, pipeline};
 use crate::params::{Method, ParamError, Params, Transform};
-use efsat_hardware::device::{self, Device, UnknownDevice};
+use efsat_hardware::device::{self, Device, DeviceError};
 use efsat_hardware::graph::{Block, Place, Step};
 use efsat_hardware::netlist::lower::{Lowering, Probe};
 use efsat_hardware::netlist::{Control, Module, Wire};
@@ -20,9 +20,9 @@ pub enum DesignError {
     /// A parameter outside its range.
     #[error(transparent)]
     Param(#[from] ParamError),
-    /// No such device.
+    /// No such device, or one in a file that cannot be taken.
     #[error(transparent)]
-    Device(#[from] UnknownDevice),
+    Device(#[from] DeviceError),
 }
 
 /// Where a port's value comes from or goes to, for whoever drives the top.
@@ -113,11 +113,6 @@ impl Design {
         let second = self.second.as_ref().map(|second| &second.schedule.critical);
         let (ns, end) = second.filter(|second| second.0 > self.schedule.critical.0).unwrap_or(&self.schedule.critical);
         (self.device.megahertz(*ns), end)
-    }
-
-    /// That clock if it is below the target: one operation alone takes longer.
-    pub fn missed_clock(&self) -> Option<(f64, &str)> {
-        Some(self.clock()).filter(|(megahertz, _)| megahertz + 1e-6 < f64::from(self.params.frequency))
     }
 
     /// Whether there can be a design; its target part.

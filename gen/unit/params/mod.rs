@@ -298,7 +298,7 @@ mod tests {
             (|p| p.transform_width = 49, "--transform-width 49: expected 18 to 48 (at least --width 18)"),
             (|p| p.axes_per_clock = 12, "--axes-per-clock 12: expected 1 to 11 (--axes 11)"),
             (|p| p.axes_per_clock = 0, "--axes-per-clock 0: expected 1 to 11 (--axes 11)"),
-            (|p| p.frequency = 251, "--frequency 251: expected 20 to 250 MHz"),
+            (|p| p.frequency = 401, "--frequency 401: expected 20 to 400 MHz"),
             (|p| p.tag_width = 65, "--tag-width 65: expected 0 to 64"),
             (|p| p.span = 3, "--span 3: expected --method determinants, which has this option"),
             (|p| p.boxes = false, "--boxes off: expected --method determinants, which has this option"),

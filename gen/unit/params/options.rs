@@ -7,7 +7,9 @@ use super::{Axes, Bound, ExactClocks, Guard, Method, ProjectionWidth, Projection
 #[cfg(feature = "clap")]
 use super::{CLOCKS_PER_PAIR, EXACT_CLOCKS, LEVELS, SPAN};
 #[cfg(feature = "clap")]
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+#[cfg(feature = "clap")]
+use std::ffi::OsStr;
 use std::ops::RangeInclusive;
 
 /// Permitted widths of the axis test.
@@ -21,7 +23,7 @@ pub const PROJECTION_PLUS: RangeInclusive<u32> = 0..=31;
 /// Permitted shifts of an axis; the width of the axis test bounds them too.
 pub const AXIS_SHIFT: RangeInclusive<u32> = 0..=30;
 /// Permitted target clocks in MHz.
-pub const FREQUENCY: RangeInclusive<u32> = 20..=250;
+pub const FREQUENCY: RangeInclusive<u32> = 20..=400;
 /// Permitted widths of the tag.
 pub const TAG_WIDTH: RangeInclusive<u32> = 0..=64;
 
@@ -316,10 +318,10 @@ options! {
     /// Which units answer a pair outside the declared ranges possibly-incorrect: all, or left-out: only those generated without a stage; the others then may answer it wrongly
     "guard" guard: Guard = Guard::Always, Outside, [Axes Determinants],
         [value_name = "UNITS", value_parser = choice::<Guard>()];
-    /// Part whose delays decide the pipelining, and for which cells are predicted
+    /// Part whose delays decide the pipelining, and for which cells are predicted; or a file NAME.toml of a part of your own
     "device" device: String = "xc2v6000-4".to_owned(), Hardware, [Axes Determinants Exact],
-        [value_name = "NAME", value_parser = PossibleValuesParser::new(efsat_hardware::device::names())];
-    /// Target clock in MHz, 20 to 250
+        [value_name = "NAME", value_parser = device()];
+    /// Target clock in MHz, 20 to 400; generate refuses one that the longest operation between registers does not hold
     "frequency" frequency: u32 = 100, Hardware, [Axes Determinants Exact],
         [value_name = "MHZ", value_parser = whole(FREQUENCY), allow_negative_numbers = true];
     /// Bits of the pair tag, 0 to 64
@@ -394,6 +396,37 @@ fn projection_width(text: &str) -> Result<ProjectionWidth, String> {
             .and_then(|bits| whole(PROJECTION_PLUS)(bits).ok())
             .map(ProjectionWidth::Plus)
             .ok_or_else(|| "expected +0 to +31, full or rounded".to_owned()),
+    }
+}
+
+/// Reads the name of a device, or of a file of one's own.
+#[cfg(feature = "clap")]
+pub fn device() -> impl TypedValueParser<Value = String> {
+    DeviceParser(PossibleValuesParser::new(efsat_hardware::device::names()))
+}
+
+#[cfg(feature = "clap")]
+#[derive(Clone)]
+struct DeviceParser(PossibleValuesParser);
+
+#[cfg(feature = "clap")]
+impl TypedValueParser for DeviceParser {
+    type Value = String;
+
+    fn parse_ref(
+        &self,
+        command: &clap::Command,
+        argument: Option<&clap::Arg>,
+        value: &OsStr,
+    ) -> Result<String, clap::Error> {
+        match value.to_str() {
+            Some(file) if file.ends_with(efsat_hardware::device::OWN) => Ok(file.to_owned()),
+            _ => self.0.parse_ref(command, argument, value),
+        }
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        self.0.possible_values()
     }
 }
 

@@ -4,6 +4,7 @@
 //! --test passes` writes the present text there, for the diff to be read. `random` runs whole random designs through all passes.
 
 mod control;
+mod divide;
 mod evaluate;
 mod flat;
 mod graph;

@@ -51,7 +51,7 @@ impl Ehxplll {
     /// The oscillator of the board.
     const MEGAHERTZ: u32 = 25;
 
-    /// The greatest clock that is not above one of 20 to 250 MHz.
+    /// The greatest clock that is not above one of 20 to 400 MHz.
     fn new(megahertz: u32) -> Self {
         // The phase detector takes 3.125 MHz at least.
         let candidates = (1..=8).map(|input| (input, megahertz * input / Self::MEGAHERTZ));
@@ -69,7 +69,7 @@ impl Ehxplll {
 }
 
 /// MMCME2_BASE of 7-series at 1000 MHz: eighths of the divider behind it, for the greatest clock that is not above one
-/// of 20 to 250 MHz.
+/// of 20 to 400 MHz.
 fn mmcm_eighths(megahertz: u32) -> u32 {
     8000_u32.div_ceil(megahertz)
 }

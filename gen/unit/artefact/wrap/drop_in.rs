@@ -38,7 +38,9 @@ impl Synthesis {
                 let options = [("family", family), ("device", die), ("package", package), ("speed", speed)];
                 ("ise", options.map(|(name, value)| (name, value.to_owned())).into())
             }
-            Family::Series7 => ("vivado", vec![("part", format!("{die}{package}{speed}")), ("pnr", "none".to_owned())]),
+            Family::Series7 | Family::UltraScalePlus => {
+                ("vivado", vec![("part", format!("{die}{package}{speed}")), ("pnr", "none".to_owned())])
+            }
             // In the name of a part Lattice writes the package without its first letters and a C for commercial.
             Family::Ecp5 => ("diamond", vec![("part", format!("{die}{speed}{}C", package.replace("CABGA", "BG")))]),
         };

@@ -59,7 +59,7 @@ pub(in crate::artefact) fn add(
             "xise",
             &["-glob_opt AllClockNets", "-use_dsp48 Auto", "-max_fanout 100000", "-shreg_min_size 2"],
         ),
-        Family::Series7 | Family::Ecp5 => return None,
+        Family::Series7 | Family::UltraScalePlus | Family::Ecp5 => return None,
     };
     let header = &origin()[..];
     let Part { family, device, package, speed } = design.device.part;

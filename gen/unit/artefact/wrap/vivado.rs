@@ -47,7 +47,7 @@ pub(in crate::artefact) fn add(
 ) -> Option<Project> {
     let device = design.device.part;
     match design.device.family {
-        Family::Series7 => {}
+        Family::Series7 | Family::UltraScalePlus => {}
         Family::Virtex2 | Family::Spartan6 | Family::Ecp5 => return None,
     }
     let (header, prefix) = (&origin()[..], &packaging.prefix);

@@ -1,0 +1,301 @@
+//! Operations that are too long for a clock, divided: the scheduler then puts registers between their parts.
+//!
+//! A word `x` of a sum is `2^k X + x'`, `x'` its lowest k bits. With the carry `c` of the lowest bits the others are `A + B + c`, for
+//! which one chain does: they are `(2A + 1) + (2B + c)` without the lowest bit. In the same way
+//!
+//! * `a - b` has `2A - (2B + c)`, with the borrow `c` of `a' - b'`, and `a < b` is `2A < 2B + c`;
+//! * `-x` has `-(2X + c)`, with `c` set unless `x'` is 0: so have negations under a flag and magnitudes;
+//! * words are equal if all their parts are, and have a bit set if one of the parts has;
+//! * a choice among many is one in each group of them, by the lowest bits of the index, then one among groups.
+//!
+//! The upper part is divided again if need be. What no clock holds even so stays as it is.
+
+use super::delay;
+use crate::device::Device;
+use crate::graph::{Block, Node, NodeId, Op, Place, Rate};
+use crate::op::*;
+use std::collections::HashSet;
+use std::rc::Rc;
+
+/// Bits of the least part that is worth a clock of its own.
+const LEAST: u32 = 4;
+
+/// The block with operations divided that take more than `room` ns between registers; itself if there are none.
+pub(super) fn divided(block: &Rc<Block>, device: &Device, room: f64) -> Rc<Block> {
+    let long = |i: usize| match &block.nodes[i].op {
+        Op::Comb(op) => delay(device, block, i) > room && Parts::of(op).is_some(),
+        _ => false,
+    };
+    if !(0..block.nodes.len()).any(long) {
+        return Rc::clone(block);
+    }
+    let names = block.nodes.iter().map(Node::name).collect();
+    let mut division = Division { device, room, nodes: vec![], ranges: vec![], names };
+    let mut at: Vec<NodeId> = vec![];
+    for (i, node) in block.nodes.iter().enumerate() {
+        let id = match &node.op {
+            Op::Comb(op) if long(i) => {
+                let args: Vec<NodeId> = node.args.iter().map(|a| at[a.0]).collect();
+                let made = division.part(op.clone(), &args, &node.place, "");
+                division.in_place_of(node, made)
+            }
+            _ => division.keep(node.clone()),
+        };
+        division.ranges[id.0] = block.range(i);
+        at.push(id);
+    }
+    // What was kept has the operands of before, some of which come later.
+    for (i, node) in block.nodes.iter().enumerate() {
+        let kept = &mut division.nodes[at[i].0];
+        if !long(i) {
+            kept.args = node.args.iter().map(|a| at[a.0]).collect();
+        }
+    }
+    Rc::new(block.remade(division.nodes, division.ranges, |id| at[id.0]))
+}
+
+/// The kinds of operations that can be divided.
+#[derive(Clone, Copy, PartialEq)]
+enum Parts {
+    Sum,
+    Difference,
+    Negation,
+    Signed,
+    Magnitude,
+    Less,
+    Equal,
+    Any,
+    Choice,
+}
+
+impl Parts {
+    fn of(op: &Comb) -> Option<Self> {
+        Some(match op {
+            Comb::Add(_) => Self::Sum,
+            Comb::Subtract(_) => Self::Difference,
+            Comb::Negate(_) => Self::Negation,
+            Comb::NegateIf(_) => Self::Signed,
+            Comb::Magnitude(_) => Self::Magnitude,
+            Comb::Less(_) => Self::Less,
+            Comb::Equal(_) => Self::Equal,
+            Comb::OrReduce(_) => Self::Any,
+            Comb::Select(_) => Self::Choice,
+            _ => return None,
+        })
+    }
+}
+
+struct Division<'a> {
+    device: &'a Device,
+    room: f64,
+    nodes: Vec<Node>,
+    ranges: Vec<Range>,
+    names: HashSet<String>,
+}
+
+impl Division<'_> {
+    fn keep(&mut self, node: Node) -> NodeId {
+        self.nodes.push(node);
+        self.ranges.push((0, 0));
+        NodeId(self.nodes.len() - 1)
+    }
+
+    /// Gives the last of the new nodes the name and the comment of what it stands for.
+    fn in_place_of(&mut self, node: &Node, made: NodeId) -> NodeId {
+        let last = &mut self.nodes[made.0];
+        assert_eq!(last.ty, node.ty, "{}", node.name());
+        self.names.remove(&last.name());
+        (last.place, last.named, last.comment) = (node.place.clone(), node.named, node.comment.clone());
+        made
+    }
+
+    fn ty(&self, id: NodeId) -> Type {
+        self.nodes[id.0].ty
+    }
+
+    /// A new node; of constants it is one.
+    fn push(&mut self, op: impl Into<Comb>, args: &[NodeId], of: &Place, name: &str) -> NodeId {
+        let op = op.into();
+        let types: Vec<Type> = args.iter().map(|a| self.ty(*a)).collect();
+        let ty = op.result(&types).unwrap_or_else(|why| panic!("{of}, {name}: {why}"));
+        let constants: Option<Vec<i128>> = args.iter().map(|a| self.constant(*a)).collect();
+        let (op, args, range) = match constants.filter(|_| !args.is_empty()) {
+            Some(values) => {
+                let value = op.value(&values, &types, ty);
+                (Constant(value, ty).into(), vec![], (value, value))
+            }
+            None => {
+                let ranges: Vec<Range> = args.iter().map(|a| self.ranges[a.0]).collect();
+                let range = op.range(&ranges, &types, ty);
+                (op, args.to_vec(), if ty.holds(range) { range } else { ty.limits() })
+            }
+        };
+        let rate = args.iter().map(|a| self.nodes[a.0].rate).find(|rate| *rate != Rate::Any).unwrap_or(Rate::Any);
+        let mut place = of.suffixed(name);
+        while !self.names.insert(place.to_string()) {
+            place = place.suffixed("part");
+        }
+        let node = Node { op: Op::Comb(op), args, ty, rate, place, named: false, comment: String::new() };
+        let id = self.keep(node);
+        self.ranges[id.0] = range;
+        id
+    }
+
+    fn constant(&self, id: NodeId) -> Option<i128> {
+        match &self.nodes[id.0].op {
+            Op::Comb(Comb::Constant(constant)) => Some(constant.0),
+            _ => None,
+        }
+    }
+
+    fn fits(&self, op: &Comb, types: &[Type]) -> bool {
+        op.result(types).is_ok_and(|to| op.delay(self.device, types, to) <= self.room)
+    }
+
+    /// How many of so many bits make the lowest part: as few as there must be with the least number of parts of which a clock
+    /// holds each, the others with a carry; none if it does not hold even a small one.
+    fn lowest(&self, bits: u32, holds: impl Fn(u32) -> bool) -> Option<u32> {
+        let most = (LEAST..bits).rev().find(|k| holds(*k))?;
+        let more = (bits - most).div_ceil(most.saturating_sub(1).max(1));
+        Some(bits.div_ceil(more + 1).max(LEAST).min(most))
+    }
+
+    /// The value of an operation, in as many parts as it takes.
+    fn part(&mut self, op: Comb, args: &[NodeId], of: &Place, name: &str) -> NodeId {
+        let types: Vec<Type> = args.iter().map(|a| self.ty(*a)).collect();
+        let whole = if name.is_empty() { "whole" } else { name };
+        let kind = Parts::of(&op).filter(|_| !self.fits(&op, &types));
+        let made = kind.and_then(|kind| match kind {
+            Parts::Sum | Parts::Difference => self.sum(&op, kind, [args[0], args[1]], of, name),
+            Parts::Negation => {
+                let to = op.result(&types).expect("it was made before");
+                self.negated(args[0], to.bits, of, name)
+            }
+            Parts::Signed => self.negation(args[0], args[1], of, name),
+            Parts::Magnitude => {
+                let sign = self.push(SignBit, args, of, &join(name, "sign"));
+                let value = self.negation(sign, args[0], of, name)?;
+                Some(self.push(Resize(Type { signed: false, ..types[0] }), &[value], of, whole))
+            }
+            Parts::Less => self.less([args[0], args[1]], of, name),
+            Parts::Equal => self.equal([args[0], args[1]], of, name),
+            Parts::Any => self.any(args[0], of, name),
+            Parts::Choice => self.choice(&op, args, of, name),
+        });
+        made.unwrap_or_else(|| self.push(op, args, of, whole))
+    }
+
+    /// A word in a type, its lowest bits and the others.
+    fn halves(&mut self, x: NodeId, ty: Type, k: u32, of: &Place, name: &str) -> [NodeId; 2] {
+        let ty = Type { fraction: self.ty(x).fraction, ..ty };
+        let x = if self.ty(x) == ty { x } else { self.push(Resize(ty), &[x], of, &join(name, "resized")) };
+        [self.push(LowBits(k), &[x], of, &join(name, "lowest")), self.push(Floor(k), &[x], of, &join(name, "others"))]
+    }
+
+    fn sum(&mut self, op: &Comb, kind: Parts, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
+        let to = op.result(&args.map(|a| self.ty(a))).expect("it was made before");
+        let minus = kind == Parts::Difference;
+        let make = |bits: Option<u32>| -> Comb { if minus { Subtract(bits).into() } else { Add(bits).into() } };
+        let k = self.lowest(to.bits, |k| self.fits(&make(None), &[Type::unsigned(k); 2]))?;
+        let [[a_low, a], [b_low, b]] = [(args[0], "first"), (args[1], "second")]
+            .map(|(x, operand)| self.halves(x, to, k, of, &join(name, operand)));
+        let low = self.push(make(None), &[a_low, b_low], of, &join(name, "low"));
+        let carry = if minus {
+            self.push(SignBit, &[low], of, &join(name, "carry"))
+        } else {
+            let bit = self.push(Floor(k), &[low], of, &join(name, "carry"));
+            self.push(Resize(Type::FLAG), &[bit], of, &join(name, "carry_flag"))
+        };
+        let ones = self.push(Constant(i128::from(!minus), Type::FLAG), &[], of, &join(name, "one"));
+        let a = self.push(Concatenate, &[ones, a], of, &join(name, "first_above"));
+        let b = self.push(Concatenate, &[carry, b], of, &join(name, "second_above"));
+        let high = self.part(make(Some(to.bits - k + 1)), &[a, b], of, &join(name, "high"));
+        Some(self.joined(low, high, k, of, name))
+    }
+
+    fn negated(&mut self, x: NodeId, bits: u32, of: &Place, name: &str) -> Option<NodeId> {
+        let zero = self.push(Constant(0, self.ty(x)), &[], of, &join(name, "zero"));
+        self.sum(&Subtract(Some(bits)).into(), Parts::Difference, [zero, x], of, name)
+    }
+
+    /// Negated under a flag; where a clock does not hold the choice in front of a chain, chosen behind it.
+    fn negation(&mut self, flag: NodeId, x: NodeId, of: &Place, name: &str) -> Option<NodeId> {
+        let ty = self.ty(x);
+        let holds = |k| self.fits(&NegateIf.into(), &[Type::FLAG, Type::signed(k + 1, 0)]);
+        let Some(k) = self.lowest(ty.bits, holds) else {
+            let minus = self.part(Negate(Some(ty.bits)).into(), &[x], of, &join(name, "minus"));
+            return Some(self.push(Select(None), &[flag, x, minus], of, &join(name, "whole")));
+        };
+        let [x_low, x] = self.halves(x, ty, k, of, &join(name, "operand"));
+        let signed = Type { signed: true, bits: k + 1, ..self.ty(x_low) };
+        let positive = self.push(Resize(signed), &[x_low], of, &join(name, "positive"));
+        let low = self.push(NegateIf, &[flag, positive], of, &join(name, "low"));
+        let carry = self.part(OrReduce.into(), &[x_low], of, &join(name, "carry"));
+        let above = self.push(Concatenate, &[carry, x], of, &join(name, "above"));
+        let high = self.part(NegateIf.into(), &[flag, above], of, &join(name, "high"));
+        Some(self.joined(low, high, k, of, name))
+    }
+
+    /// The lowest bits of one part, and the other without its carry.
+    fn joined(&mut self, low: NodeId, high: NodeId, k: u32, of: &Place, name: &str) -> NodeId {
+        let low = self.push(LowBits(k), &[low], of, &join(name, "low_bits"));
+        let high = self.push(Floor(1), &[high], of, &join(name, "high_bits"));
+        self.push(Concatenate, &[low, high], of, &join(name, "whole"))
+    }
+
+    fn less(&mut self, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
+        let ty = Type::joint(&args.map(|a| self.ty(a))).expect("it was made before");
+        let k = self.lowest(ty.bits, |k| self.fits(&Subtract(None).into(), &[Type::unsigned(k); 2]))?;
+        let [[a_low, a], [b_low, b]] = [(args[0], "first"), (args[1], "second")]
+            .map(|(x, operand)| self.halves(x, ty, k, of, &join(name, operand)));
+        let low = self.push(Subtract(None), &[a_low, b_low], of, &join(name, "low"));
+        let borrow = self.push(SignBit, &[low], of, &join(name, "borrow"));
+        let zero = self.push(Constant(0, Type::FLAG), &[], of, &join(name, "zero"));
+        let a = self.push(Concatenate, &[zero, a], of, &join(name, "first_above"));
+        let b = self.push(Concatenate, &[borrow, b], of, &join(name, "second_above"));
+        Some(self.part(Less.into(), &[a, b], of, &join(name, "high")))
+    }
+
+    fn equal(&mut self, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
+        let ty = Type::joint(&args.map(|a| self.ty(a))).expect("it was made before");
+        let k = self.lowest(ty.bits, |k| self.fits(&Equal.into(), &[Type::unsigned(k); 2]))?;
+        let [[a_low, a], [b_low, b]] = [(args[0], "first"), (args[1], "second")]
+            .map(|(x, operand)| self.halves(x, ty, k, of, &join(name, operand)));
+        let low = self.push(Equal, &[a_low, b_low], of, &join(name, "low"));
+        let high = self.part(Equal.into(), &[a, b], of, &join(name, "high"));
+        Some(self.push(And, &[low, high], of, &join(name, "whole")))
+    }
+
+    fn choice(&mut self, op: &Comb, args: &[NodeId], of: &Place, name: &str) -> Option<NodeId> {
+        let (index, legs) = (args[0], &args[1..]);
+        // Legs beyond the greatest index are not chosen, and an index beyond the last leg chooses that.
+        let most = self.ranges[index.0].1 as usize;
+        let legs: Vec<NodeId> = (0..=most).map(|i| legs[i.min(legs.len() - 1)]).collect();
+        let fits = |legs: usize| self.device.mux(legs) <= self.room;
+        let bits = (1..self.ty(index).bits).rev().find(|bits| 1 << bits < legs.len() && fits(1 << bits))?;
+        let low = self.push(LowBits(bits), &[index], of, &join(name, "in_group"));
+        let high = self.push(Floor(bits), &[index], of, &join(name, "group"));
+        let mut groups = vec![high];
+        for (i, group) in legs.chunks(1 << bits).enumerate() {
+            let operands: Vec<NodeId> = [low].iter().chain(group).copied().collect();
+            let same = group.iter().all(|leg| *leg == group[0]);
+            let chosen = (!same).then(|| self.push(op.clone(), &operands, of, &join(name, &format!("group_{i}"))));
+            groups.push(chosen.unwrap_or(group[0]));
+        }
+        Some(self.part(op.clone(), &groups, of, &join(name, "groups")))
+    }
+
+    fn any(&mut self, x: NodeId, of: &Place, name: &str) -> Option<NodeId> {
+        let ty = self.ty(x);
+        let k = self.lowest(ty.bits, |k| self.fits(&OrReduce.into(), &[Type::unsigned(k)]))?;
+        let [x_low, x] = self.halves(x, ty, k, of, &join(name, "operand"));
+        let low = self.push(OrReduce, &[x_low], of, &join(name, "low"));
+        let high = self.part(OrReduce.into(), &[x], of, &join(name, "high"));
+        Some(self.push(Or, &[low, high], of, &join(name, "whole")))
+    }
+}
+
+/// The name of a part of a part.
+fn join(name: &str, part: &str) -> String {
+    if name.is_empty() { part.to_owned() } else { format!("{name}_{part}") }
+}
