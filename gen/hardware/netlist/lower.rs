@@ -131,8 +131,8 @@ struct Lowered<'a> {
     out: Module,
     /// The signal of each node in the clock in which its value is first there.
     base: Vec<Option<SignalId>>,
-    /// Later copies, by the signal that carries a value first and clocks after that.
-    copies: BTreeMap<(SignalId, i32), SignalId>,
+    /// Later copies, by the signal that carries a value first, whether it follows that from clock to clock, and clocks after it.
+    copies: BTreeMap<(SignalId, bool, i32), SignalId>,
     strobes: Vec<SignalId>,
     selects: BTreeMap<(usize, i32, Digits), SignalId>,
     /// The clocks in which the uses of what selects begin.
@@ -394,7 +394,7 @@ impl Lowered<'_> {
         if clocks == 0 {
             return base;
         }
-        if let Some(id) = self.copies.get(&(base, clocks)) {
+        if let Some(id) = self.copies.get(&(base, self.follows('d'), clocks)) {
             return *id;
         }
         let before = self.delayed(i, clocks - 1);
@@ -410,8 +410,14 @@ impl Lowered<'_> {
         let signal = &mut self.out.signals;
         signal[id.0].ty = signal[base.0].ty;
         signal[id.0].comment.clear();
-        self.copies.insert((base, clocks), id);
+        self.copies.insert((base, self.follows(kind), clocks), id);
         id
+    }
+
+    /// Whether a copy of a kind follows what it is made of from clock to clock. One signal may be a value of the pair that is there for
+    /// a clock, and what is chosen in a phase: the register behind that is no hold. With one phase both are the same.
+    fn follows(&self, kind: char) -> bool {
+        kind == 'd' && self.interval() > 1
     }
 
     /// A per-pair value captured again so that its window begins in clock `earliest` to `latest`.
@@ -419,7 +425,8 @@ impl Lowered<'_> {
         let i = self.block.carrier(i);
         let slot = self.schedule.slots[i];
         let base = self.base[i].expect("operands come first");
-        let known = self.copies.range((base, earliest - slot.from)..=(base, latest - slot.from)).next_back();
+        let hold = self.follows('h');
+        let known = self.copies.range((base, hold, earliest - slot.from)..=(base, hold, latest - slot.from)).next_back();
         if let Some((_, id)) = known {
             return *id;
         }
@@ -430,7 +437,7 @@ impl Lowered<'_> {
             let name = || self.block.nodes[i].name();
             assert!(at > from, "{}: {} cannot be held from {earliest} to {latest}: {slot:?}", self.block.name, name());
             let clocks = at - slot.from;
-            source = match self.copies.get(&(base, clocks)) {
+            source = match self.copies.get(&(base, hold, clocks)) {
                 Some(id) => *id,
                 None => {
                     let enable = self.strobe(at - 1);
