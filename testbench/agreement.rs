@@ -16,6 +16,7 @@ use efsat::graph::evaluate::Evaluator;
 use efsat::host::{Host, SceneHost};
 use efsat::mesh::Mesh;
 use efsat::pair::{Input, Pair, Pose, Verdict};
+use efsat::params::options::Choice;
 use efsat::params::{
     Axes, Bound, CLOCKS_PER_PAIR, Guard, LEVELS, Method, Params, ProjectionWidth, Projections, SPAN, Transform, Truth,
     Upper,
@@ -246,6 +247,13 @@ fn combined(count: usize) -> Vec<Case> {
             device: (*efsat::device::names().choose(&mut rng).unwrap()).to_owned(),
             frequency: *[20, 66, 100, 150, 250].choose(&mut rng).unwrap(),
             tag_width: *[0, 8, 16].choose(&mut rng).unwrap(),
+            method: *[Method::Axes, Method::Axes, Method::Determinants, Method::Exact].choose(&mut rng).unwrap(),
+            clocks_per_pair: *CLOCKS_PER_PAIR.choose(&mut rng).unwrap(),
+            exact_clocks: *[None, Some(11), Some(16)].choose(&mut rng).unwrap(),
+            span: *SPAN.choose(&mut rng).unwrap(),
+            levels: *LEVELS.choose(&mut rng).unwrap(),
+            bound: *Bound::ALL.choose(&mut rng).unwrap(),
+            boxes: *[true, false].choose(&mut rng).unwrap(),
             ..Params::default()
         };
         if p.validate().is_ok() {
@@ -388,7 +396,22 @@ fn builtin_agrees_with_the_reference_model_in_every_option_value() {
 
 #[test]
 fn builtin_agrees_with_the_reference_model_in_combinations() {
-    all_hold(&combined(60), |name, p| agrees(name, p, 100, Simulator::Builtin, true).map(|_| ()));
+    let cases = combined(if full() { 2000 } else { 80 });
+    all_hold(&cases, |name, p| agrees(name, p, 100, Simulator::Builtin, true).map(|_| ()));
+}
+
+/// The register behind what is chosen in a phase was taken for one that holds it for the pair.
+#[test]
+fn a_delay_is_no_hold() {
+    let p = Params {
+        axes: Axes::Seventeen,
+        axes_per_clock: 11,
+        renormalise: false,
+        device: "xc7a200t-1".to_owned(),
+        frequency: 60,
+        ..Params::default()
+    };
+    agrees("17 axes, 2 clocks", &p, 100, Simulator::Builtin, true).unwrap();
 }
 
 #[test]

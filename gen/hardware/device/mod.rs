@@ -127,27 +127,18 @@ const DEVICES: [Device; 7] = [
 ];
 
 /// What is behind the name of a file of one's own.
+// For the command line.
+#[doc(hidden)]
 pub const OWN: &str = ".toml";
 
-/// A device that is not there.
+/// A device that is not there: a name that is not known, or a file that cannot be taken.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum DeviceError {
-    /// A name that is not known.
-    #[error("--device {found}: expected one of {legal}, or a file NAME.toml of your own")]
-    Unknown {
-        /// The name given.
-        found: String,
-        /// The names there are.
-        legal: String,
-    },
-    /// A file of one's own that cannot be taken.
-    #[error("--device {file}: {why}")]
-    File {
-        /// The file.
-        file: String,
-        /// Where and what, and what was expected.
-        why: String,
-    },
+#[error("--device {found}: {why}")]
+pub struct DeviceError {
+    /// The name given.
+    pub found: String,
+    /// Where in the file and what, and what was expected.
+    pub why: String,
 }
 
 /// The names of all devices.
@@ -169,10 +160,10 @@ pub fn find(name: &str) -> Result<&'static Device, DeviceError> {
 }
 
 fn known(name: &str) -> Result<&'static Device, DeviceError> {
-    DEVICES
-        .iter()
-        .find(|d| d.name == name)
-        .ok_or_else(|| DeviceError::Unknown { found: name.to_owned(), legal: names().join(", ") })
+    DEVICES.iter().find(|d| d.name == name).ok_or_else(|| DeviceError {
+        found: name.to_owned(),
+        why: format!("expected one of {}, or a file NAME.toml of your own", names().join(", ")),
+    })
 }
 
 impl Device {

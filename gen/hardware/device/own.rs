@@ -48,7 +48,7 @@ pub(super) fn read(path: &str) -> Result<&'static Device, DeviceError> {
     if let Some(device) = files.get(path) {
         return Ok(device);
     }
-    let refused = |why: String| DeviceError::File { file: path.to_owned(), why };
+    let refused = |why: String| DeviceError { found: path.to_owned(), why };
     // The name is printed into every generated file.
     let letter = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
     if !path.chars().all(letter) {
@@ -66,7 +66,7 @@ fn parse(text: &str) -> Result<Device, String> {
             e.span().map_or(String::new(), |span| format!("line {}: ", text[..span.start].matches('\n').count() + 1));
         format!("{line}{}", e.message())
     })?;
-    let like = known(&own.like).map_err(|e| e.to_string().replacen("--device", "like", 1))?;
+    let like = known(&own.like).map_err(|e| format!("like {}: {}", e.found, e.why))?;
     word("name", &own.name)?;
     let names = [
         ("family", &own.part.family),

@@ -426,7 +426,8 @@ impl Lowered<'_> {
         let slot = self.schedule.slots[i];
         let base = self.base[i].expect("operands come first");
         let hold = self.follows('h');
-        let known = self.copies.range((base, hold, earliest - slot.from)..=(base, hold, latest - slot.from)).next_back();
+        let known =
+            self.copies.range((base, hold, earliest - slot.from)..=(base, hold, latest - slot.from)).next_back();
         if let Some((_, id)) = known {
             return *id;
         }

@@ -84,7 +84,10 @@ fn the_clock_is_met_and_slow_ones_divide_nothing() {
         let fast = scheduled_for(device, &block, most);
         let (ns, end) = &fast.critical;
         assert!(part(device).megahertz(*ns) >= f64::from(most), "{device}: {end} {ns}");
-        assert!(fast.block.nodes.len() > block.nodes.len() && fast.latency > slow.latency, "{device}");
+        // A chain of so many bits takes 1.5 ns of an UltraScale+.
+        let divides = device != "xczu3eg-1";
+        assert_eq!(fast.block.nodes.len() > block.nodes.len(), divides, "{device}");
+        assert!(!divides || fast.latency > slow.latency, "{device}");
     }
 }
 
@@ -104,8 +107,8 @@ fn a_sum_in_two_parts() {
           signal y_second_resized : signed(75 downto 0);  -- s76.0; |.| <= 18889465931478580854784
           signal y_low : unsigned(38 downto 0);
           signal y_first_above_h1 : signed(38 downto 0) := (others => '0');  -- |.| <= 137438953471
-          signal y_second_above_h1 : signed(38 downto 0) := (others => '0');  -- s77.-38; |.| <= 137438953472
-          signal y_high : signed(38 downto 0);  -- s77.-38; |.| <= 274877906943
+          signal y_second_above_h1 : signed(38 downto 0) := (others => '0');  -- |.| <= 137438953472
+          signal y_high : signed(38 downto 0);  -- |.| <= 274877906943
           signal y_low_bits_h1 : unsigned(37 downto 0) := (others => '0');
           signal y_i : signed(75 downto 0);  -- s76.0; |.| <= 37778931862957161709568
         begin

@@ -153,7 +153,7 @@ const OPERATIONS: [(&str, usize, Operation); 28] = [
     }),
 ];
 
-const OTHERS: [(&str, More); 18] = [
+const OTHERS: [(&str, More); 19] = [
     ("input", |b, n| b.input(n, false)),
     ("other_input", |b, n| b.input(n, false)),
     ("early_input", |b, n| b.input(n, true)),
@@ -183,6 +183,13 @@ const OTHERS: [(&str, More); 18] = [
     }),
     ("mux", |b, n| b.mux(n, false)),
     ("late_mux", |b, n| b.mux(n, true)),
+    ("once", |b, n| {
+        // One signal is a value of the pair and what is chosen in a phase.
+        let (x, phase) = (b.pair(n[0]), n[1] % b.interval);
+        let once = Phases::new(b.interval, |s| (s == phase).then_some(x.sig));
+        let meaning = (0..b.interval).map(|s| (s == phase).then_some(false)).collect();
+        b.keep(once.mux(), Meaning::Phases(meaning), x.of_late);
+    }),
     ("wide_mux", |b, n| b.wide_mux(n)),
     ("capture", |b, n| b.capture(n)),
     ("capture_more", |b, n| (0..3).for_each(|k| b.capture([n[0], n[1] + k, n[2], n[3]]))),

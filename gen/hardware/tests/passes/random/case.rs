@@ -32,7 +32,7 @@ impl Case {
         let kinds: Vec<&str> = build::kinds().collect();
         let mut chosen: Vec<&str> =
             (0..random.random_range(3..25)).map(|_| kinds[random.random_range(0..kinds.len())]).collect();
-        if random.random_range(0..4) == 0 {
+        if random.random_range(0..3) == 0 {
             // Values of one stream in another order are rarely so many by chance that a delay line takes their place.
             chosen.extend(["wide_mux", "recall"]);
         }
