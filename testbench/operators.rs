@@ -68,6 +68,12 @@ impl Bench {
         Self::shared(1, body)
     }
 
+    /// For a part with multipliers of so many bits.
+    fn of_multipliers(of: [u32; 2], body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> Self {
+        let library = Library::default().with_multiplier(of);
+        Self::of(&library.block("bench", &[], 1, |top| body(top).named("result")))
+    }
+
     /// A unit that is shared over phases.
     fn shared(interval: usize, body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> Self {
         let library = Library::default();

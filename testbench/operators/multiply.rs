@@ -8,9 +8,9 @@ use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::collections::BTreeSet;
 
-/// A product of two intervals, each with its type and bound.
-fn multiplier([x, y]: [(Type, i128); 2]) -> Bench {
-    Bench::new(|top| {
+/// A product of two intervals, each with its type and bound, made of multipliers of so many bits.
+fn multiplier([x, y]: [(Type, i128); 2], of: [u32; 2]) -> Bench {
+    Bench::of_multipliers(of, |top| {
         let ([x], [y]) = (inputs(top, "x", x.0, x.1), inputs(top, "y", y.0, y.1));
         // One entity finds the sign cases of both.
         let bits = x.lo.ty().bits.max(y.lo.ty().bits);
@@ -23,7 +23,7 @@ fn multiplier([x, y]: [(Type, i128); 2]) -> Bench {
 #[test]
 fn multiplication_is_the_contracts_on_all_small_intervals() {
     for (bits, x_bound, y_bound) in [(4, 7, 7), (5, 8, 8), (5, 15, 15), (5, 3, 15), (6, 16, 1)] {
-        let mut unit = multiplier([x_bound, y_bound].map(|bound| (Type::signed(bits, 0), bound)));
+        let mut unit = multiplier([x_bound, y_bound].map(|bound| (Type::signed(bits, 0), bound)), [18, 18]);
         for x in intervals(-x_bound..=x_bound) {
             for y in intervals(-y_bound..=y_bound) {
                 let found = unit.bounds(&[x, y], &[])[0];
@@ -51,13 +51,20 @@ fn sign_cases_are_as_defined() {
 #[test]
 fn multiplication_in_tiles_is_exact() {
     let mut rng = ChaCha8Rng::seed_from_u64(1);
-    for bits in [[18, 18], [19, 19], [19, 12], [32, 32], [35, 35], [36, 19], [48, 48], [20, 48]] {
+    let widths = [[18, 18], [19, 19], [19, 12], [32, 32], [35, 35], [36, 19], [48, 48], [20, 48]];
+    let wider = [[25, 18], [18, 25], [24, 24], [26, 27], [32, 32], [49, 35], [35, 49], [48, 48]];
+    let cases = widths.map(|bits| ([18, 18], bits)).into_iter();
+    for (of, bits) in cases.chain(wider.into_iter().flat_map(|bits| [([25, 18], bits), ([27, 18], bits)])) {
         let bounds = bits.map(|bits| (1i128 << (bits - 1)) - 1);
         let types = [Type::signed(bits[0], 4), Type::signed(bits[1], -3)];
-        let mut unit = multiplier([(types[0], bounds[0]), (types[1], bounds[1])]);
-        // Values at the seams of tiles of 17 bits.
+        let mut unit = multiplier([(types[0], bounds[0]), (types[1], bounds[1])], of);
+        // Values at the seams of tiles of 17 bits, and of more.
         let corners = bounds.map(|bound| {
-            let seams = [0, 1, 1 << 16, (1 << 17) - 1, 1 << 17, (1 << 17) + 1, 1 << 33, (1 << 34) - 1, 1 << 34, bound];
+            let mut seams =
+                vec![0, 1, 1 << 16, (1 << 17) - 1, 1 << 17, (1 << 17) + 1, 1 << 33, (1 << 34) - 1, 1 << 34, bound];
+            if of[0] > 18 {
+                seams.extend([24, 26, 48].into_iter().flat_map(|bit| [(1 << bit) - 1, 1 << bit]));
+            }
             let kept = seams.into_iter().filter(|x| *x <= bound).flat_map(|x| [x, -x]).collect::<BTreeSet<_>>();
             kept.into_iter().collect::<Vec<i128>>()
         });

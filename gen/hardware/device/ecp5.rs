@@ -18,7 +18,7 @@
 //! Not known: nets before placement; the set-up of enables and resets (0.42 ns in one report), taken to be none. No
 //! vendor tool was run.
 
-use super::{Chains, Device, Fabric, Family, MultiplierRegisters, Part, Resources, WideChoice};
+use super::{Chains, Device, Fabric, Family, MULTIPLIER_BITS, MultiplierRegisters, Part, Resources, WideChoice};
 
 /// Yosys 0.23, `synth_ecp5 -abc9`.
 static FABRIC: Fabric = Fabric {
@@ -45,6 +45,7 @@ pub(super) const LFE5U_85: Device = Device {
     multipliers: 156,
     block_rams: 208,
     source: "nextpnr-ecp5 0.11.1 (Project Trellis), nets after routing",
+    multiplier: [MULTIPLIER_BITS; 2],
     fabric: &FABRIC,
     clock_to_output: 0.52,
     // 4.2 for the net behind it instead of 1.5.

@@ -39,6 +39,8 @@ pub struct Device {
     pub block_rams: u32,
     /// Where the delays come from.
     pub source: &'static str,
+    /// Bits of the signed operands of a hardware multiplier, the wider first.
+    pub multiplier: [u32; 2],
     /// How logic is mapped to it.
     pub fabric: &'static Fabric,
     /// Clock to output of a flip-flop.
@@ -110,7 +112,7 @@ pub struct Part {
     pub speed: &'static str,
 }
 
-/// A multiplier takes signed operands of at most this many bits.
+/// A multiplier of every part takes signed operands of at least this many bits.
 pub const MULTIPLIER_BITS: u32 = 18;
 
 /// Bits of the shortest product that is worth a multiplier; look-up tables make shorter ones.

@@ -22,6 +22,7 @@ pub(super) const XC7A200T: Device = Device {
     multipliers: 740,
     block_rams: 730,
     source: "public Vivado report for xc7z020-1",
+    multiplier: [25, 18],
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.478,
     product_to_output: 0.478,

@@ -5,7 +5,7 @@
 //! 180 multipliers (DSP48A1), 23,038 slices, 268 block RAMs of 18 kbit. Not known: how DS162's set-up and clock-to-output
 //! of the multiplier's registers divide its delay; a product takes registers for the delay without them.
 
-use super::{Device, Family, Part, Resources, fabric};
+use super::{Device, Family, MULTIPLIER_BITS, Part, Resources, fabric};
 
 /// The largest of the family.
 pub(super) const XC6SLX150: Device = Device {
@@ -16,6 +16,7 @@ pub(super) const XC6SLX150: Device = Device {
     multipliers: 180,
     block_rams: 268,
     source: "estimated after the Spartan-6 data sheet",
+    multiplier: [MULTIPLIER_BITS; 2],
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.45,
     product_to_output: 0.45,

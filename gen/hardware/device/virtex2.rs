@@ -11,7 +11,7 @@
 //! register, the rest before it. At 100 MHz the default design's schedule holds for any division with 1.8 to 4.0 ns
 //! behind it: operands come straight from registers, and a sum of two products follows.
 
-use super::{Chains, Device, Fabric, Family, MultiplierRegisters, Part, Resources};
+use super::{Chains, Device, Fabric, Family, MULTIPLIER_BITS, MultiplierRegisters, Part, Resources};
 
 /// Delays of single elements, nanoseconds, for the static timing estimate.
 pub mod delay {
@@ -86,6 +86,7 @@ pub(super) const XC2V6000: Device = Device {
     multipliers: 144,
     block_rams: 144,
     source: "public XST 10.1.03 reports for xc2v6000-4",
+    multiplier: [MULTIPLIER_BITS; 2],
     fabric: &FABRIC,
     clock_to_output: delay::CLOCK_TO_OUTPUT,
     product_to_output: delay::CLOCK_TO_OUTPUT,

@@ -5,14 +5,16 @@ mod operations;
 use super::block::{Block, Fact, Node, NodeId, Op, Probe, Rate};
 use super::names;
 use super::place::{Place, Step};
+use crate::device::MULTIPLIER_BITS;
 use crate::op::*;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
 /// The blocks of a design in the making.
-#[derive(Default)]
 pub struct Library {
+    /// Bits of the signed operands of a hardware multiplier, the wider first.
+    multiplier: [u32; 2],
     /// What names of blocks begin with, so that those of two libraries can stand side by side.
     prefix: &'static str,
     drafts: RefCell<Vec<Draft>>,
@@ -87,6 +89,12 @@ impl std::fmt::Debug for Sig<'_> {
     }
 }
 
+impl Default for Library {
+    fn default() -> Self {
+        Self { multiplier: [MULTIPLIER_BITS; 2], prefix: "", drafts: RefCell::default(), finished: RefCell::default() }
+    }
+}
+
 impl Library {
     /// A library in which the name of every block begins with a prefix.
     ///
@@ -98,6 +106,22 @@ impl Library {
     /// ```
     pub fn with_prefix(prefix: &'static str) -> Self {
         Self { prefix, ..Self::default() }
+    }
+
+    /// The same for a part whose multipliers take signed operands of so many bits, the wider first.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let library = Library::default().with_multiplier([25, 18]);
+    /// library.block("copy", &[], 1, |top| {
+    ///     assert_eq!(top.multiplier(), [25, 18]);
+    ///     top.input(NUMBER, (0, 9)).named("x")
+    /// });
+    /// ```
+    // For the pipelines of the unit.
+    #[doc(hidden)]
+    pub fn with_multiplier(self, multiplier: [u32; 2]) -> Self {
+        Self { multiplier, ..self }
     }
 
     /// Begins a block with `interval` phases. `columns` are the cases in which per-phase values are looked at.
@@ -217,6 +241,14 @@ impl<'l> Top<'l> {
     /// ```
     pub fn interval(self) -> usize {
         self.library.with(self.block, |draft| draft.block.interval)
+    }
+
+    /// Bits of the signed operands of a hardware multiplier, the wider first: [18, 18](MULTIPLIER_BITS) if the
+    /// [library](Library::with_multiplier) was not told.
+    // For what makes products of parts.
+    #[doc(hidden)]
+    pub fn multiplier(self) -> [u32; 2] {
+        self.library.multiplier
     }
 
     /// A constant.

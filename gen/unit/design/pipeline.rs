@@ -8,6 +8,7 @@
 use super::guard::{Guards, any};
 use super::interval::{Factor, Factors, Interval, Vector};
 use super::number::Number;
+use super::product::multiplier;
 use super::renormalise;
 use super::rounding::{Rounding, Roundings};
 use super::tested_axes::{self, Edges, Flags};
@@ -27,7 +28,7 @@ pub fn unit(p: &Params) -> Rc<Block> {
         "The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of",
         "the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.",
     ];
-    Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
+    Library::default().with_multiplier(multiplier(p)).block("pair_pipeline", &doc, p.interval(), |u| {
         let path = Path { u, p, formats: p.formats(), guards: Guards::new(u, p) };
         let Inputs { v, w, pose } = Inputs::new(u, p);
         let b = pose.map(|pose| path.transformed(&w, &pose));

@@ -13,6 +13,7 @@ mod verdict;
 
 use super::guard::Guards;
 use super::pipeline::Inputs;
+use super::product::multiplier;
 use crate::params::Params;
 use efsat_hardware::graph::{Block, Library, Phases, Sig, Signals, Top, Vec3};
 use efsat_hardware::op::Type;
@@ -27,7 +28,7 @@ pub fn unit(p: &Params) -> Rc<Block> {
         "bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is",
         "named after what it is; later copies end in _h<clocks>.",
     ];
-    Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
+    Library::default().with_multiplier(multiplier(p)).block("pair_pipeline", &doc, p.interval(), |u| {
         let guards = Guards::new(u, p);
         let inputs = Inputs::new(u, p);
         let differences = differences::points(u, p, &guards, &inputs);
