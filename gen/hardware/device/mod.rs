@@ -277,6 +277,8 @@ impl Device {
     }
 
     /// Arrival of a product at its register in such a period, from the registers in front of it.
+    // For the scheduler.
+    #[doc(hidden)]
     pub fn product_arrival(&self, bits: u32, period: f64) -> f64 {
         let inner = self.multiplier_has_operand_registers() && self.registers_operands(bits, period);
         self.launch() + if inner { self.inner_product(bits) } else { self.product(bits) }
