@@ -87,40 +87,10 @@ def busy(found):
     return [share(getattr(found, key), found.clocks, 0) + " %" for key in ("volume_busy", "triangle_busy", "words")]
 
 
-def predicted(options):
-    """What is predicted of an engine; memory, query and number of engines are no options of its design."""
-    return ask("synth --predict --engine " + re.sub(r"--(latency|engines) \d+|--first-contact", "", options))
-
-
 def units(options):
-    """Predicted cells of the two units of an engine."""
-    return [part.predicted for part in predicted(options).units.parts if hasattr(part, "predicted")]
-
-
-def option(options, name, usual):
-    """The number that an option has."""
-    found = re.search(rf"--{name} (\d+)", options)
-    return int(found[1]) if found else usual
-
-
-def several(options):
-    return option(options, "engines", 1)
-
-
-def microseconds(found, clock=100):
-    return found.clocks / found.queries / clock
-
-
-def bandwidth(found, options):
-    """Gigabytes that are read in a second of 100 million clocks."""
-    return found.words * option(options, "memory-width", 64) / 8 * 0.1 / found.clocks
-
-
-@functools.lru_cache(maxsize=None)
-def software():
-    """Microseconds per query of this project's software on one core, the default scene, measured now: the best of five runs of each."""
-    KEPT.mkdir(parents=True, exist_ok=True)
-    return float(run(f"cargo bench --quiet -p benches --bench query -- headlight {KEPT.resolve()}").split()[2])
+    """Predicted cells of the two units of an engine; memory and query are no options of the design."""
+    found = ask("synth --predict --engine " + re.sub(r"--latency \d+|--first-contact", "", options))
+    return [part.predicted for part in found.units.parts if hasattr(part, "predicted")]
 
 
 def changed_list(mesh, width):
@@ -137,8 +107,7 @@ def changed_list(mesh, width):
 def rows_of(figure):
     """The cells of a table by its description in the registry, the head first."""
     dear = figure["cost"] == "dear"
-    own = (share, code, luts, against, routed, parts, mean, busy, predicted, units, several, microseconds, bandwidth, software, changed_list)
-    names = {"ask": functools.partial(ask, dear=dear)} | {f.__name__: f for f in own}
+    names = {"ask": functools.partial(ask, dear=dear)} | {f.__name__: f for f in (share, code, luts, against, routed, parts, mean, busy, units, changed_list)}
     columns, command = figure["columns"], figure["command"].removeprefix("efsat ")
     yield ([figure["head"]] if "cell" in figure else []) + [column[0] for column in columns]
     rows = figure.get("rows", [""])

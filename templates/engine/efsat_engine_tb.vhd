@@ -512,6 +512,7 @@ begin
     end procedure compare_word;
 
 {%- if e.engines.several %}
+
     -- The next packet of the file: its kind, and what its report begins with.
     procedure next_packet(which : out character; more : out boolean) is
       variable kind_found : character;
@@ -571,8 +572,8 @@ begin
         compared_before(packet) := true;
       end if;
     end procedure seek;
-
 {%- endif %}
+
     -- Pairs and report of the packet that has just ended, against the file.
     procedure compare is
       variable which : character;

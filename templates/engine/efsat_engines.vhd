@@ -25,14 +25,16 @@ architecture rtl of {{ prefix }}efsat_engines is
   signal in_last : std_logic;
   signal out_valid : flags;
   signal out_ready : flags;
-  signal out_data : std_logic_vector(64 * engines - 1 downto 0);
+{%- for i in e.engines.each %}
+  signal out_data_{{ i }} : std_logic_vector(63 downto 0);
+  signal ask_address_{{ i }} : std_logic_vector(31 downto 0);
+  signal ask_length_{{ i }} : std_logic_vector(7 downto 0);
+{%- endfor %}
   signal out_last : flags;
   signal answered : flags;
   signal renew : flags;
   signal ask_valid : flags;
   signal ask_ready : flags;
-  signal ask_address : std_logic_vector(32 * engines - 1 downto 0);
-  signal ask_length : std_logic_vector(8 * engines - 1 downto 0);
   signal word_valid : flags;
   signal word_data : std_logic_vector(memory_width - 1 downto 0);
   signal word_response : std_logic_vector(1 downto 0);
@@ -60,39 +62,39 @@ begin
       answered => answered,
       renew => renew
     );
+{%- for i in e.engines.each %}
 
-  several : for i in 0 to engines - 1 generate
-    engine : entity work.{{ prefix }}efsat_engine
-      port map (
-        renew_caches => renew(i),
-        aclk => aclk,
-        aresetn => aresetn,
-        soft_reset => forget,
-        s_axis_tdata => in_data,
-        s_axis_tkeep => in_keep,
-        s_axis_tvalid => in_valid(i),
-        s_axis_tlast => in_last,
-        s_axis_tready => in_ready(i),
-        m_axi_araddr => ask_address(32 * i + 31 downto 32 * i),
-        m_axi_arlen => ask_length(8 * i + 7 downto 8 * i),
-        m_axi_arsize => open,
-        m_axi_arburst => open,
-        m_axi_arcache => open,
-        m_axi_arprot => open,
-        m_axi_arvalid => ask_valid(i),
-        m_axi_arready => ask_ready(i),
-        m_axi_rdata => word_data,
-        m_axi_rresp => word_response,
-        m_axi_rlast => word_last,
-        m_axi_rvalid => word_valid(i),
-        m_axi_rready => open,
-        m_axis_tdata => out_data(64 * i + 63 downto 64 * i),
-        m_axis_tkeep => open,
-        m_axis_tvalid => out_valid(i),
-        m_axis_tlast => out_last(i),
-        m_axis_tready => out_ready(i)
-      );
-  end generate several;
+  engine_{{ i }} : entity work.{{ prefix }}efsat_engine
+    port map (
+      renew_caches => renew({{ i }}),
+      aclk => aclk,
+      aresetn => aresetn,
+      soft_reset => forget,
+      s_axis_tdata => in_data,
+      s_axis_tkeep => in_keep,
+      s_axis_tvalid => in_valid({{ i }}),
+      s_axis_tlast => in_last,
+      s_axis_tready => in_ready({{ i }}),
+      m_axi_araddr => ask_address_{{ i }},
+      m_axi_arlen => ask_length_{{ i }},
+      m_axi_arsize => open,
+      m_axi_arburst => open,
+      m_axi_arcache => open,
+      m_axi_arprot => open,
+      m_axi_arvalid => ask_valid({{ i }}),
+      m_axi_arready => ask_ready({{ i }}),
+      m_axi_rdata => word_data,
+      m_axi_rresp => word_response,
+      m_axi_rlast => word_last,
+      m_axi_rvalid => word_valid({{ i }}),
+      m_axi_rready => open,
+      m_axis_tdata => out_data_{{ i }},
+      m_axis_tkeep => open,
+      m_axis_tvalid => out_valid({{ i }}),
+      m_axis_tlast => out_last({{ i }}),
+      m_axis_tready => out_ready({{ i }})
+    );
+{%- endfor %}
 
   gather : entity work.{{ prefix }}engines_gather
     port map (
@@ -102,7 +104,9 @@ begin
       forget_number => forget_number,
       in_valid => out_valid,
       in_ready => out_ready,
-      in_data => out_data,
+{%- for i in e.engines.each %}
+      in_data_{{ i }} => out_data_{{ i }},
+{%- endfor %}
       in_last => out_last,
       answered => answered,
       m_axis_tdata => m_axis_tdata,
@@ -118,8 +122,10 @@ begin
       reset => reset,
       ask_valid => ask_valid,
       ask_ready => ask_ready,
-      ask_address => ask_address,
-      ask_length => ask_length,
+{%- for i in e.engines.each %}
+      ask_address_{{ i }} => ask_address_{{ i }},
+      ask_length_{{ i }} => ask_length_{{ i }},
+{%- endfor %}
       word_valid => word_valid,
       word_data => word_data,
       word_response => word_response,

@@ -414,12 +414,12 @@ begin
           now_reporting := '1';
         end if;
       end if;
-
 {%- if e.engines.several %}
       if renew = '1' then
         known <= '0';
       end if;
 {%- endif %}
+
       if (reset or forget) = '1' then
         next_phase := waiting_state;
         now_reporting := '0';

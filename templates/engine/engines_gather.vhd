@@ -23,7 +23,9 @@ entity {{ prefix }}engines_gather is
     -- From the engines, the first in the low bits.
     in_valid : in std_logic_vector(engines - 1 downto 0);
     in_ready : out std_logic_vector(engines - 1 downto 0);
-    in_data : in std_logic_vector(64 * engines - 1 downto 0);
+{%- for i in e.engines.each %}
+    in_data_{{ i }} : in std_logic_vector(63 downto 0);
+{%- endfor %}
     in_last : in std_logic_vector(engines - 1 downto 0);
     answered : out std_logic_vector(engines - 1 downto 0);  -- the last word of an answer has come, which is not dropped
     m_axis_tdata : out std_logic_vector(63 downto 0);
@@ -47,17 +49,22 @@ architecture rtl of {{ prefix }}engines_gather is
   signal due : flags;
   signal waits : flags;
   signal taken : flags;
+  signal arriving : words;
   signal data : words;
   signal last : flags;
 
   signal above : flags := (others => '0');  -- engines above the one before
   signal ahead : flags;
+  signal asks : flags;
+  signal below : std_logic_vector(engines downto 0);  -- a lower one of them asks
   signal chosen : flags;
   signal speaks : std_logic := '0';  -- a packet goes out
   signal speaker : flags := (others => '0');
   signal free : std_logic;
   signal gives : std_logic;
-  signal word : std_logic_vector(63 downto 0);
+  type merged_words is array (0 to engines) of std_logic_vector(63 downto 0);
+  signal spoken : words;
+  signal merged : merged_words;
   signal ends : std_logic;
   signal report_due : std_logic := '0';
   signal report_number : std_logic_vector(23 downto 0) := (others => '0');
@@ -71,6 +78,9 @@ begin
   takes <= in_valid and (owes or room);
   in_ready <= owes or room;
   answered <= takes and in_last and not owes;
+{%- for i in e.engines.each %}
+  arriving({{ i }}) <= in_data_{{ i }};
+{%- endfor %}
 
   queues : for i in 0 to engines - 1 generate
     queue : entity work.{{ prefix }}engines_queue
@@ -79,7 +89,7 @@ begin
         clear => clear,
         in_valid => passes(i),
         in_ready => room(i),
-        in_data => in_data(64 * i + 63 downto 64 * i),
+        in_data => arriving(i),
         in_last => in_last(i),
         due => due(i),
         out_valid => waits(i),
@@ -108,39 +118,19 @@ begin
 
   -- ===== Whose turn it is =====
   ahead <= due and above;
-  choose : process (due, ahead)
-    variable found : boolean;
-    variable from : flags;
-  begin
-    chosen <= nobody;
-    from := due;
-    if ahead /= nobody then
-      from := ahead;
-    end if;
-    found := false;
-    for i in 0 to engines - 1 loop
-      if from(i) = '1' and not found then
-        chosen(i) <= '1';
-        found := true;
-      end if;
-    end loop;
-  end process choose;
+  asks <= due when ahead = nobody else ahead;
+  below(0) <= '0';
+  choose : for i in 0 to engines - 1 generate
+    chosen(i) <= asks(i) and not below(i);
+    below(i + 1) <= below(i) or asks(i);
+  end generate choose;
 
-  pick : process (data, last, speaker)
-    variable one : std_logic_vector(63 downto 0);
-  begin
-    one := (others => '0');
-    for i in 0 to engines - 1 loop
-      if speaker(i) = '1' then
-        one := one or data(i);
-      end if;
-    end loop;
-    word <= one;
-    ends <= '0';
-    if (last and speaker) /= nobody then
-      ends <= '1';
-    end if;
-  end process pick;
+  merged(0) <= (others => '0');
+  merge : for i in 0 to engines - 1 generate
+    spoken(i) <= data(i) when speaker(i) = '1' else (others => '0');
+    merged(i + 1) <= merged(i) or spoken(i);
+  end generate merge;
+  ends <= '0' when (last and speaker) = nobody else '1';
 
   free <= m_axis_tready or not offered;
   gives <= '0' when taken = nobody else '1';
@@ -150,7 +140,7 @@ begin
   begin
     if rising_edge(clk) then
       if free = '1' then
-        offered_word <= word;
+        offered_word <= merged(engines);
         offered_last <= ends;
         if report_due = '1' then
           offered_word <= (others => '0');

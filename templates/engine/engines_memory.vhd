@@ -24,8 +24,10 @@ entity {{ prefix }}engines_memory is
     -- From the engines, the first in the low bits.
     ask_valid : in std_logic_vector(engines - 1 downto 0);
     ask_ready : out std_logic_vector(engines - 1 downto 0);
-    ask_address : in std_logic_vector(32 * engines - 1 downto 0);
-    ask_length : in std_logic_vector(8 * engines - 1 downto 0);
+{%- for i in e.engines.each %}
+    ask_address_{{ i }} : in std_logic_vector(31 downto 0);
+    ask_length_{{ i }} : in std_logic_vector(7 downto 0);
+{%- endfor %}
     -- To all of them.
     word_valid : out std_logic_vector(engines - 1 downto 0);
     word_data : out std_logic_vector(memory_width - 1 downto 0);
@@ -48,18 +50,23 @@ end entity {{ prefix }}engines_memory;
 architecture rtl of {{ prefix }}engines_memory is
   subtype flags is std_logic_vector(engines - 1 downto 0);
   constant nobody : flags := (others => '0');
-  constant failure : std_logic_vector(1 downto 0) := "10";
+  constant bad_response : std_logic_vector(1 downto 0) := "10";
   constant bursts : natural := {{ e.engines.bursts }};
   constant burst_bits : natural := {{ e.engines.burst_bits }};
   signal served : flags := (others => '0');  -- who is served next, if somebody is
   signal above : flags := (others => '0');  -- engines above the one before
   signal others_ask : flags;
   signal ahead : flags;
+  signal asks : flags;
+  signal below : std_logic_vector(engines downto 0);  -- a lower one of them asks
   signal chosen : flags;
   signal accepts : std_logic;
   signal free : std_logic;
-  signal address : std_logic_vector(31 downto 0);
-  signal length : std_logic_vector(3 downto 0);
+  type request_list is array (0 to engines - 1) of std_logic_vector(35 downto 0);  -- beats less one, address
+  type merged_requests is array (0 to engines) of std_logic_vector(35 downto 0);
+  signal requests : request_list;
+  signal merged : merged_requests;
+  signal request : std_logic_vector(35 downto 0);
   signal offered : std_logic := '0';
   signal offered_address : std_logic_vector(31 downto 0) := (others => '0');
   signal offered_length : std_logic_vector(3 downto 0) := "0000";
@@ -82,39 +89,20 @@ begin
   -- Who is served next is picked a clock before.
   others_ask <= ask_valid and not served;
   ahead <= others_ask and above;
-  choose : process (others_ask, ahead)
-    variable found : boolean;
-    variable from : flags;
-  begin
-    chosen <= nobody;
-    from := others_ask;
-    if ahead /= nobody then
-      from := ahead;
-    end if;
-    found := false;
-    for i in 0 to engines - 1 loop
-      if from(i) = '1' and not found then
-        chosen(i) <= '1';
-        found := true;
-      end if;
-    end loop;
-  end process choose;
-
-  pick : process (ask_address, ask_length, served)
-    variable one_address : std_logic_vector(31 downto 0);
-    variable one_length : std_logic_vector(3 downto 0);
-  begin
-    one_address := (others => '0');
-    one_length := (others => '0');
-    for i in 0 to engines - 1 loop
-      if served(i) = '1' then
-        one_address := one_address or ask_address(32 * i + 31 downto 32 * i);
-        one_length := one_length or ask_length(8 * i + 3 downto 8 * i);
-      end if;
-    end loop;
-    address <= one_address;
-    length <= one_length;
-  end process pick;
+  asks <= others_ask when ahead = nobody else ahead;
+  below(0) <= '0';
+  choose : for i in 0 to engines - 1 generate
+    chosen(i) <= asks(i) and not below(i);
+    below(i + 1) <= below(i) or asks(i);
+  end generate choose;
+{%- for i in e.engines.each %}
+  requests({{ i }}) <= ask_length_{{ i }}(3 downto 0) & ask_address_{{ i }} when served({{ i }}) = '1' else (others => '0');
+{%- endfor %}
+  merged(0) <= (others => '0');
+  merge : for i in 0 to engines - 1 generate
+    merged(i + 1) <= merged(i) or requests(i);
+  end generate merge;
+  request <= merged(engines);
   free <= (m_axi_arready or not offered) and not under_way(burst_bits) and not lost;
   accepts <= '0' when served = nobody else free;
   ask_ready <= served when free = '1' else nobody;
@@ -124,9 +112,9 @@ begin
   begin
     if rising_edge(clk) then
       if accepts = '1' then
-        offered_address <= address;
-        offered_length <= length;
-        burst_memory(to_integer(asked)) <= served & length;
+        offered_address <= request(31 downto 0);
+        offered_length <= request(35 downto 32);
+        burst_memory(to_integer(asked)) <= served & request(35 downto 32);
       end if;
       if reset = '1' then
         served <= nobody;
@@ -191,10 +179,10 @@ begin
           word_valid <= owner;
           if nothing_under_way = '1' then
             word_valid <= not nobody;
-            word_response <= failure;
+            word_response <= bad_response;
             word_last <= '0';
           elsif lost = '1' then
-            word_response <= failure;
+            word_response <= bad_response;
             if m_axi_rlast = '0' then
               word_valid <= nobody;
             end if;

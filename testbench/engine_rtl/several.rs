@@ -24,7 +24,7 @@ fn several_engines_answer_as_one() {
     }
     let changes = [
         // Words of memory go to another engine.
-        ("engines_memory.vhd", "<= served & length;", "<= served(0) & served(engines - 1 downto 1) & length;"),
+        ("engines_memory.vhd", "<= served & request(", "<= served(0) & served(engines - 1 downto 1) & request("),
         // Words of two answers are mixed.
         ("engines_gather.vhd", "elsif gives = '1' and ends = '1' then", "elsif gives = '1' then"),
         // What was under way at a soft reset is answered; each engine's report is, too.

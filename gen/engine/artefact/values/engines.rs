@@ -14,6 +14,8 @@ const BURSTS: u32 = 64;
 pub(crate) struct Engines {
     pub several: bool,
     pub count: u32,
+    /// Their numbers.
+    pub each: Vec<u32>,
     /// Queries that an engine has: those in flight, and one that waits.
     pub most_queries: u32,
     pub answer_places: u32,
@@ -34,6 +36,7 @@ impl Engines {
         Self {
             several: count > 1,
             count,
+            each: (0..count).collect(),
             most_queries: design.params.queries + 1,
             answer_places: ANSWER_PLACES,
             answer_bits: ANSWER_PLACES.ilog2(),
