@@ -3,6 +3,7 @@
 
 mod ends;
 mod overlap;
+mod several;
 
 use crate::extent::{full, in_full, share};
 use crate::tools::{Ghdl, ghdl, ghdl_of_long_runs, replaced};

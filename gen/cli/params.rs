@@ -76,7 +76,7 @@ impl EngineArguments {
     /// Refuses options that change nothing but clocks, where there are none.
     pub fn refuse_timing(&self) -> Result<(), Failure> {
         let caches = if self.typed.memory == Memory::Axi { &["block-lines", "triangle-lines"][..] } else { &[] };
-        let timing = ["expansion-clocks", "memory-width", "queries", "in-flight", "pair-queue"];
+        let timing = ["expansion-clocks", "memory-width", "queries", "in-flight", "pair-queue", "engines"];
         let given = self.given.iter().find(|(option, _)| timing.contains(option) || caches.contains(option));
         given.map_or(Ok(()), |(option, value)| {
             let why = "expected --engine verilator: the option changes the clocks alone, and the model has none";

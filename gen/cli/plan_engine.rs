@@ -4,6 +4,7 @@ use super::error::Failure;
 use super::output::print;
 use super::progress;
 use super::source::load_scene;
+use efsat_engine::params::ENGINES;
 use efsat_hardware::device;
 use efsat_studies::engine_plan::{Candidate, PlanError, plan};
 use std::fmt::Write;
@@ -25,7 +26,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NAME", default_value = "xc2v6000-4", value_parser = efsat_unit::params::options::device())]
     device: String,
     /// At most so many engines on the part
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = super::params::whole(1..=64), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = super::params::whole(ENGINES), allow_negative_numbers = true)]
     engines: u32,
 }
 

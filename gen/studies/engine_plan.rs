@@ -226,6 +226,8 @@ pub fn plan(scene: &Scene, device: &Device, most: u64, done: impl Fn() + Sync) -
                 if expansion_clocks == format.expansion_clocks { format.pair_queue } else { 1024 / expansion_clocks };
             let engine =
                 EngineParams { expansion_clocks, in_flight: 64 / expansion_clocks, pair_queue, ..format.clone() };
+            // Each of several has a queue of its own for its answers.
+            let engine = EngineParams { engines: most.clamp(1, 2) as u32, ..engine };
             let mut design = EngineDesign::new(&engine, &units[0].0)?;
             let volume = estimate::whole(&design.volume.stage, device);
             for (lines, reads) in CACHES.into_iter().zip(counts.reads) {
@@ -261,7 +263,7 @@ fn candidate(
     units: Resources,
     most: u64,
 ) -> Option<Candidate> {
-    let (engine, device) = (design.params.clone(), design.unit.device);
+    let (mut engine, device) = (design.params.clone(), design.unit.device);
     let per_query = |count: u64| count as f64 / counts.queries as f64;
     let beats = |bits: u32| u64::from(bits.div_ceil(engine.memory_width));
     let words = per_query(reads[0] * beats(512) + reads[1] * beats(320));
@@ -285,6 +287,7 @@ fn candidate(
     let fits = fits.into_iter().map(|(kind, there, one): (Limit, u64, u64)| (kind, there / one.max(1)));
     let (full, engines) = fits.min_by_key(|(_, engines)| *engines).expect("there are five");
     let engines = engines.min(most);
+    engine.engines = engines as u32;
     let unit = unit.clone();
     let one = Candidate { engine, unit, units, block_rams, clocks, limit, words, engines, full };
     (engines > 0).then_some(one)

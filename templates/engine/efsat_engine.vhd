@@ -9,6 +9,9 @@ use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}efsat_engine is
   port (
+{%- if e.engines.several %}
+    renew_caches : in std_logic;  -- one clock long: another engine has a query that does not keep them
+{%- endif %}
 {% include "engine/ports.vhd" %}
   );
 end entity {{ prefix }}efsat_engine;
@@ -322,6 +325,9 @@ begin
       memory_silent => memory_silent,
       flush => flush,
       flushing => flushing,
+{%- if e.engines.several %}
+      renew => renew_caches,
+{%- endif %}
 {%- endif %}
       report_due => report_due,
       report_done => report_done,

@@ -64,6 +64,9 @@ entity {{ prefix }}engine_control is
     memory_error : in std_logic;  -- until abort
     memory_draining : in std_logic;  -- old bursts are under way: nothing can be read
     memory_silent : in std_logic;  -- memory does not answer
+{%- if e.engines.several %}
+    renew : in std_logic;  -- one clock long: the caches are emptied before the next query
+{%- endif %}
     flush : out std_logic;  -- one clock long: the caches are emptied
     flushing : in std_logic;
 {%- endif %}
@@ -411,6 +414,11 @@ begin
           now_reporting := '1';
         end if;
       end if;
+{%- if e.engines.several %}
+      if renew = '1' then
+        known <= '0';
+      end if;
+{%- endif %}
 
       if (reset or forget) = '1' then
         next_phase := waiting_state;

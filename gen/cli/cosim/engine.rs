@@ -350,8 +350,13 @@ fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usi
     busy("memory bus busy", measure.words);
     let _ = writeln!(
         text,
-        "{} queries, {refused} more for software; greatest stack {}; an expansion in {} clocks, a pair in {}; {}",
-        measure.sums.queries, measure.sums.greatest_stack, design.volume.interval, design.unit.interval, simulator
+        "{} queries, {refused} more for software; greatest stack {}; {}an expansion in {} clocks, a pair in {}; {}",
+        measure.sums.queries,
+        measure.sums.greatest_stack,
+        if design.params.engines > 1 { format!("{} engines, each ", design.params.engines) } else { String::new() },
+        design.volume.interval,
+        design.unit.interval,
+        simulator
     );
     text.push_str(
         "clocks are those from the first word in to the last word out; a query runs from its start to its report\n",

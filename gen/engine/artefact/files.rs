@@ -1,7 +1,7 @@
 //! All files of a generated engine, as one value.
 
 use super::values::WORD;
-use super::{CORE, EngineDesign, NAME, TESTBENCH, bench, by_number, engine_files, host};
+use super::{CORE, EngineDesign, NAME, TESTBENCH, bench, by_number, engine_files, engines, host};
 use crate::params::Memory;
 use crate::words::Command;
 use askama::Template;
@@ -26,6 +26,8 @@ struct Readme<'a> {
     memory: String,
     axi: bool,
     by_number: bool,
+    top: String,
+    engines: u32,
     multipliers: usize,
     unit_multipliers: usize,
     volume_multipliers: usize,
@@ -126,8 +128,13 @@ pub fn engine_design_files_with(
     let row = FileRow::new;
     let mut files = vec![
         row(
-            &format!("{prefix}{NAME}.vhd"),
-            "The engine; the other `.vhd` files are its entities and those of the units.",
+            &format!("{prefix}{}.vhd", design.top()),
+            match design.params.engines {
+                1 => "The engine; the other `.vhd` files are its entities and those of the units.",
+                _ => {
+                    "The engines; the other `.vhd` files are what is around them, their entities and those of the units."
+                }
+            },
         ),
         row(
             &format!("{}.vhd", prefix.of("engine_layout")),
@@ -211,7 +218,9 @@ fn readme(
         ),
     };
     let list = if design.by_number { &by_number::ENTITIES[..] } else { &ENTITIES };
-    let mut entities: Vec<FileRow> = list.iter().map(|(name, what)| FileRow::new(&prefix.of(name), what)).collect();
+    let around = if params.engines > 1 { &engines::ENTITIES[..] } else { &[] };
+    let mut entities: Vec<FileRow> =
+        around.iter().chain(list).map(|(name, what)| FileRow::new(&prefix.of(name), what)).collect();
     let stores: &[(&str, &str)] = match params.memory {
         Memory::BlockRam => &[("engine_block_memory", "Blocks."), ("engine_triangle_memory", "Triangles.")],
         Memory::Axi => &[
@@ -233,7 +242,9 @@ fn readme(
         memory,
         axi: params.memory == Memory::Axi,
         by_number: design.by_number,
-        multipliers: unit + volume,
+        top: prefix.of(design.top()),
+        engines: params.engines,
+        multipliers: params.engines as usize * (unit + volume),
         unit_multipliers: unit,
         volume_multipliers: volume,
         frequency: design.unit.params.frequency,
@@ -258,7 +269,7 @@ fn manifest_of(design: &EngineDesign, command_line: &str, files: &FileSet) -> St
         clocks_per_pair: design.unit.interval,
         volumes: trees.then_some(Volumes { clocks_per_expansion: volume.interval, volume_latency: volume.latency }),
         unit_latency: design.unit.latency,
-        multipliers: design.multipliers().iter().sum(),
+        multipliers: design.params.engines as usize * design.multipliers().iter().sum::<usize>(),
         packets: match trees {
             true => Packets::Queries {
                 query_words: design.format.query_words(),

@@ -5,11 +5,14 @@ use super::values::Values;
 use crate::words::EngineAnswer;
 use efsat_hardware::device::block_rams;
 
+/// Bits of a word of an answer, and whether it is the last.
+const ANSWER_BITS: u32 = 65;
 /// Bits of a pair of triangles in its queue.
 const PAIR_BITS: u32 = 2 * EngineAnswer::NUMBER_BITS;
 
 impl EngineDesign {
-    /// Block RAMs of 18 kbit that the engine is expected to take: of its memory or its caches, its stacks and its queue of pairs.
+    /// Block RAMs of 18 kbit that the engine is expected to take: of its memory or its caches, its stacks and its queue of pairs; of
+    /// several each.
     pub fn block_rams(&self) -> u64 {
         let values = Values::new(self);
         let of = |places: u32, bits: u32| block_rams(places.into(), bits.into());
@@ -26,5 +29,6 @@ impl EngineDesign {
         stores.sum::<u64>()
             + u64::from(self.params.queries) * of(values.traversal.stack_places, values.traversal.entry_bits)
             + of(values.traversal.all_pairs, PAIR_BITS)
+            + if values.engines.several { of(values.engines.answer_places, ANSWER_BITS) } else { 0 }
     }
 }

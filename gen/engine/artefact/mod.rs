@@ -2,6 +2,7 @@
 //! `values` computes, the unit and the volume unit.
 
 mod by_number;
+mod engines;
 mod files;
 mod host;
 mod memories;
@@ -105,9 +106,15 @@ impl EngineDesign {
         let tag_width = if by_number { NUMBERS_TAG_WIDTH } else { NUMBERS_WIDTH + params.lane_bits() };
         let unit = Params { tag_width, ..unit.clone() };
         let format = params.format(&unit)?;
+        params.several()?;
         supported(&format)?;
         let volume = VolumeDesign::new(params, &unit)?;
         Ok(Self { params: params.clone(), format, unit: Design::new(&unit, false)?, volume, by_number })
+    }
+
+    /// The entity that is the top, without a prefix.
+    pub fn top(&self) -> &'static str {
+        if self.params.engines > 1 { engines::CORE.entity } else { NAME }
     }
 
     /// The options of the engine with their values.
@@ -147,7 +154,7 @@ impl EngineDesign {
         Ok(layout)
     }
 
-    /// Multipliers of the unit and of the volume unit.
+    /// Multipliers of the unit and of the volume unit, of one engine.
     #[doc(hidden)]
     pub fn multipliers(&self) -> [usize; 2] {
         let volume = if self.by_number { 0 } else { self.volume.stage.multipliers() };
@@ -218,6 +225,11 @@ entities! {
     NumberCommand "engine/engine_number_command.vhd";
     NumberAnswer "engine/engine_number_answer.vhd";
     ByNumber "engine/efsat_engine_by_number.vhd";
+    Dispatch "engine/engines_dispatch.vhd";
+    Queue "engine/engines_queue.vhd";
+    Gather "engine/engines_gather.vhd";
+    SharedMemory "engine/engines_memory.vhd";
+    Engines "engine/efsat_engines.vhd";
     Bench "engine/efsat_engine_tb.vhd";
 }
 
@@ -283,8 +295,17 @@ pub fn engine_files(
     add("engine_answer", Answer::text(&header, prefix, &values));
     add("engine_command", Command::text(&header, prefix, &values));
     add("engine_control", Control::text(&header, prefix, &values));
+    let mut around = top.clone();
     top.extend(description(design));
     add(NAME, Engine::text(&top, prefix, &values));
+    if design.params.engines > 1 {
+        around.extend(engines::description(design));
+        add("engines_dispatch", Dispatch::text(&header, prefix, &values));
+        add("engines_queue", Queue::text(&header, prefix, &values));
+        add("engines_gather", Gather::text(&header, prefix, &values));
+        add("engines_memory", SharedMemory::text(&header, prefix, &values));
+        add(design.top(), Engines::text(&around, prefix, &values));
+    }
     Ok(files)
 }
 

@@ -58,6 +58,8 @@ pub struct EngineVectors<'a> {
     layout: Layout,
     /// Makes packets of pairs and poses.
     unit: Maker<'a>,
+    /// A query came behind the last pose, and of several engines nobody knows which has it.
+    unposed: bool,
     text: String,
 }
 
@@ -73,7 +75,7 @@ impl<'a> EngineVectors<'a> {
         let layout = design.layout(images).expect("images that fit");
         let unit = Maker::new(&design.unit.params, &design.format.stream);
         let text = format!("{}\n", formats_line(design));
-        let mut vectors = Self { design, model, memory, sides, layout, unit, text };
+        let mut vectors = Self { design, model, memory, sides, layout, unit, unposed: false, text };
         for (address, word) in vectors.layout.memory.iter().enumerate() {
             writeln!(vectors.text, "M {address:08x} {word:016x}").expect("a string takes text");
         }
@@ -111,6 +113,7 @@ impl<'a> EngineVectors<'a> {
         let run = |query: &Query| self.model.run(&self.memory, &query.words(&self.design.format));
         let outcome = run(query);
         self.unit.pose = query.pose;
+        self.unposed = self.design.params.engines > 1;
         match outcome.report.reason {
             Reason::Complete => self.expect(&outcome.answers, &outcome.report, Compared::All),
             Reason::Contact | Reason::Limit => {
@@ -209,6 +212,10 @@ impl<'a> EngineVectors<'a> {
     }
 
     fn unit(&mut self, make: impl FnOnce(&mut Maker<'a>)) {
+        if std::mem::take(&mut self.unposed) {
+            let pose = self.unit.pose;
+            self.pose(&pose);
+        }
         make(&mut self.unit);
         let made = std::mem::take(&mut self.unit.vectors);
         for word in made.words {
@@ -234,6 +241,7 @@ impl<'a> EngineVectors<'a> {
             None => self.text.push_str("S\n"),
         }
         self.text.push_str("Z\n");
+        self.unposed = false;
         self.unit.pose = Pose::identity(&self.design.unit.params);
         self.wait();
     }

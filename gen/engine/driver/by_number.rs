@@ -104,9 +104,7 @@ impl PairsJob<'_, '_> {
         let none = EngineError::NoReport { words: words.len() };
         let (answers, last) = words.split_last_chunk().ok_or(none.clone())?;
         let report = EngineReport::of(last).ok_or(none)?;
-        // The report of a packet that was not read has no number, that of a soft reset one of its own.
-        let read = !matches!(report.reason, Reason::UnknownHeader | Reason::TooShort | Reason::TooLong | Reason::Reset);
-        if read && report.number != self.number {
+        if report.is_numbered() && report.number != self.number {
             return Err(EngineError::Number { found: report.number, expected: self.number });
         }
         if report.reason != Reason::Complete {

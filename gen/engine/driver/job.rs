@@ -117,10 +117,8 @@ impl Job<'_, '_> {
         let none = EngineError::NoReport { words: words.len() };
         let (answers, last) = words.split_last_chunk().ok_or(none.clone())?;
         let report = EngineReport::of(last).ok_or(none)?;
-        // The report of a packet that was not read has no number, that of a soft reset one of its own.
-        let read = !matches!(report.reason, Reason::UnknownHeader | Reason::TooShort | Reason::TooLong | Reason::Reset);
         match self.number {
-            expected if read && report.number != expected => {
+            expected if report.is_numbered() && report.number != expected => {
                 Err(EngineError::Number { found: report.number, expected })
             }
             _ => Ok((answers, report)),

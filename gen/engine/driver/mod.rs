@@ -51,7 +51,7 @@ pub trait Engine {
     /// Why it does not.
     type Error: From<EngineError>;
 
-    /// The words of the answers to some packets, in their order.
+    /// The words of the answers to some packets, in their order; those to queries in any order, as several engines give them.
     ///
     /// # Errors
     /// If words cannot be sent or received.

@@ -4,12 +4,13 @@ use super::{Contacts, Engine, EngineError, Job};
 use crate::host::{BuildError, Images, Layout, Numbers};
 use crate::model::Query;
 use crate::params::EngineParams;
-use crate::words::{Command, QueryFlags};
+use crate::words::{Command, EngineReport, QueryFlags};
 use efsat_geometry::collide::hierarchy::DopTree;
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::Pose;
 use efsat_unit::params::options::Choice;
 use efsat_unit::params::{Method, ParamError, Params};
+use std::collections::HashMap;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -125,9 +126,24 @@ impl<'a> Objects<'a> {
         if answers.len() != packets.len() {
             return Err(EngineError::Answers { found: answers.len(), expected: packets.len() }.into());
         }
-        let mut answers = answers.into_iter();
+        // Each is for the query with its number; those that have none are for what is left, in order.
+        let number = |words: &Vec<u64>| EngineReport::of(words.last_chunk()?).filter(EngineReport::is_numbered);
+        let mut sent: HashMap<u32, usize> = HashMap::new();
+        for (place, job) in jobs.iter().filter(|job| job.packet().is_some()).enumerate() {
+            sent.insert(job.number(), place);
+        }
+        let mut placed: Vec<Option<Vec<u64>>> = vec![None; packets.len()];
+        let mut others = vec![];
+        for words in answers {
+            match number(&words).and_then(|report| sent.remove(&report.number)) {
+                Some(place) => placed[place] = Some(words),
+                None => others.push(words),
+            }
+        }
+        let mut others = others.into_iter();
+        let mut placed = placed.into_iter();
         let finished = jobs.into_iter().map(|job| match job.packet() {
-            Some(_) => job.finish(&answers.next().unwrap_or_default()),
+            Some(_) => job.finish(&placed.next().flatten().or_else(|| others.next()).unwrap_or_default()),
             None => job.finish(&[]),
         });
         Ok(finished.collect::<Result<_, EngineError>>()?)

@@ -28,6 +28,11 @@ pub const LINES: &[u32] = &[16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 1
 /// Legal numbers of queries in flight.
 #[doc(hidden)]
 pub const QUERIES: &[u32] = &[2, 4];
+/// Legal numbers of engines behind one stream.
+#[doc(hidden)]
+pub const ENGINES: RangeInclusive<u32> = 1..=16;
+/// Options of the read port: block RAM has none, and one stream to fill it.
+const OF_PORT: [&str; 4] = ["memory-width", "axi-id-bits", "watchdog", "engines"];
 /// Legal numbers of pairs of nodes in flight.
 pub const IN_FLIGHT: RangeInclusive<u32> = 1..=64;
 /// Legal capacities of the stack, the bound by the height of trees aside.
@@ -125,6 +130,9 @@ option_set! {
     /// Bits of the number of a block, 8 to 28, with --memory axi at most 26: a tree has no more blocks
     "block-number-bits" block_number_bits: u32 = 24,
         [value_name = "N", value_parser = whole(BLOCK_NUMBER_BITS), allow_negative_numbers = true];
+    /// Engines behind one stream and one read port, 1 to 16: a query goes to one that is free, and answers come in any order
+    "engines" engines: u32 = 1,
+        [value_name = "N", value_parser = whole(ENGINES), allow_negative_numbers = true];
 }
 
 impl EngineParams {
@@ -146,10 +154,10 @@ impl EngineParams {
         self.stack - 3 * self.tree_height - 1
     }
 
-    /// Whether the engine has an option: with block RAM there is no read port.
+    /// Whether the engine has an option: with block RAM there is no read port, and one engine is by itself.
     #[doc(hidden)]
     pub fn has(&self, option: &str) -> bool {
-        self.memory == Memory::Axi || !["memory-width", "axi-id-bits", "watchdog"].contains(&option)
+        (self.memory == Memory::Axi || !OF_PORT.contains(&option)) && (option != "engines" || self.engines > 1)
     }
 
     /// Refuses options of the read port where there is none: `given` are those that somebody chose.
@@ -161,13 +169,19 @@ impl EngineParams {
         &self,
         mut given: impl Iterator<Item = &'a (&'static str, String)>,
     ) -> Result<(), ParamError> {
-        match given.find(|(option, _)| !self.has(option)) {
+        match given.find(|(option, _)| self.memory != Memory::Axi && OF_PORT.contains(option)) {
             None => Ok(()),
             Some((option, found)) => {
                 let legal = "expected --memory axi with it: block RAM has no read port".to_owned();
                 Err(ParamError { option, found: found.clone(), legal })
             }
         }
+    }
+
+    /// Refuses several engines with block RAM.
+    pub(crate) fn several(&self) -> Result<(), ParamError> {
+        let options = [("engines", self.engines.to_string())];
+        if self.engines > 1 { self.refuse_of_port(options.iter()) } else { Ok(()) }
     }
 
     /// Whether the numbers of blocks are those of the blocks that memory can hold.
@@ -197,6 +211,7 @@ impl EngineParams {
             ("block-number-bits", self.block_number_bits, BLOCK_NUMBER_BITS),
             ("watchdog", self.watchdog, WATCHDOG),
             ("axi-id-bits", self.axi_id_bits, AXI_ID_BITS),
+            ("engines", self.engines, ENGINES),
         ];
         let outside = ranges.into_iter().find(|(_, found, legal)| !legal.contains(found));
         if let Some((option, found, legal)) = outside {

@@ -148,6 +148,11 @@ impl EngineReport {
         ]
     }
 
+    /// Whether it has the number of its query: not of a packet that was not read, and a soft reset has one of its own.
+    pub(crate) fn is_numbered(&self) -> bool {
+        !matches!(self.reason, Reason::UnknownHeader | Reason::TooShort | Reason::TooLong | Reason::Reset)
+    }
+
     /// What eight words say, none if they are no report.
     pub fn of(words: &[u64; Self::WORDS]) -> Option<Self> {
         let [low, high] = [0, 32].map(|at| words.map(|word| (word >> at) as u32));

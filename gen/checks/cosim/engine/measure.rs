@@ -33,9 +33,9 @@ pub struct Measure {
     pub memory_waits: u64,
     /// Clocks in which survivors waited for the queue of leaf pairs.
     pub queue_waits: u64,
-    /// Clocks in which the volume unit was busy: those of its expansions.
+    /// Clocks in which the volume unit was busy: those of its expansions; of several engines the mean.
     pub volume_busy: u64,
-    /// Clocks in which the triangle unit was busy: those of its pairs.
+    /// The same of the triangle unit and its pairs.
     pub triangle_busy: u64,
 }
 
@@ -55,8 +55,9 @@ impl Measure {
             measure.memory_waits += u64::from(report.memory_waits);
             measure.queue_waits += u64::from(report.queue_waits);
         }
-        measure.volume_busy = measure.sums.expansions * design.volume.interval as u64;
-        measure.triangle_busy = measure.sums.leaf_pairs * design.unit.interval as u64;
+        let engines = u64::from(design.params.engines);
+        measure.volume_busy = measure.sums.expansions * design.volume.interval as u64 / engines;
+        measure.triangle_busy = measure.sums.leaf_pairs * design.unit.interval as u64 / engines;
         measure
     }
 

@@ -12,7 +12,7 @@ use super::external::{self, call, file_error};
 use super::{CosimError, Simulator, verilator};
 use crate::synth::verilog;
 use askama::Template;
-use efsat_engine::artefact::{EngineDesign, NAME, TESTBENCH, engine_files};
+use efsat_engine::artefact::{EngineDesign, TESTBENCH, engine_files};
 use efsat_engine::host::{Image, memory};
 use efsat_engine::model::{ByNumber, Model, Query};
 use efsat_engine::params::Memory;
@@ -21,6 +21,7 @@ use efsat_hardware::tools::Tool;
 use efsat_unit::artefact::testbench::RESET_CLOCKS;
 use efsat_unit::artefact::{Prefix, Scratch, origin};
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
@@ -149,7 +150,7 @@ impl Bench {
         let header = |command| format!("{:08x}", design.format.header(command) as u32);
         Self {
             header: origin(),
-            top: NAME,
+            top: design.top(),
             axi,
             word_bytes,
             word_size: word_bytes.ilog2(),
@@ -209,11 +210,11 @@ impl Machine {
     pub fn of(design: EngineDesign, files: &[(String, String)], keep: Option<&Path>) -> Result<Self, CosimError> {
         let verilator = verilator::find()?;
         let (dir, scratch) = folder(keep)?;
-        let write = |name: &str, text: &str| external::write_file(&dir, name, text);
-        write(NETLIST, &verilog::from_vhdl(files, NAME, &dir)?)?;
+        let (top, write) = (design.top(), |name: &str, text: &str| external::write_file(&dir, name, text));
+        write(NETLIST, &verilog::from_vhdl(files, top, &dir)?)?;
         let bench = format!("{TESTBENCH}.cpp");
         write(&bench, &Bench::of(&design).render().expect("the template renders"))?;
-        let program = verilator::compile(&verilator, &dir, NAME, NETLIST, &bench, "-MAKEFLAGS OPT_FAST=-O2")?;
+        let program = verilator::compile(&verilator, &dir, top, NETLIST, &bench, "-MAKEFLAGS OPT_FAST=-O2")?;
         let runner = Runner::Verilator(program);
         Ok(Self { simulator: verilator.version, design, runner, dir, _scratch: scratch })
     }
@@ -312,7 +313,8 @@ impl Machine {
         }
     }
 
-    /// Puts images into memory and answers queries about them; their sides are those of [`memory`].
+    /// Puts images into memory and answers queries about them; their sides are those of [`memory`]. Queries of several engines have
+    /// numbers of their own.
     ///
     /// # Errors
     /// As [`Machine::exchange`], and images that do not fit into block RAM.
@@ -333,10 +335,17 @@ impl Machine {
         let (loads, replies) = replies.split_at(layout.loads.len());
         let mut before = loads.last().map_or(0, |packet| packet.clock);
         let read = |packet: &Packet| {
-            let message = format!("no answer with a report: {:x?}", packet.words);
             let reply = Reply::of(packet, std::mem::replace(&mut before, packet.clock));
-            reply.ok_or(CosimError::Failed { tool: TESTBENCH.to_owned(), message })
+            reply.ok_or_else(|| failed(format!("no answer with a report: {:x?}", packet.words)))
         };
-        replies.iter().map(read).collect()
+        let replies: Vec<Reply> = replies.iter().map(read).collect::<Result<_, _>>()?;
+        if self.design.params.engines == 1 {
+            return Ok(replies);
+        }
+        // They come in any order, each with the number of its query.
+        let mut by_number: HashMap<u32, Reply> =
+            replies.into_iter().map(|reply| (reply.report.number, reply)).collect();
+        let mut of = |number| by_number.remove(&number).ok_or_else(|| failed(format!("no answer to query {number}")));
+        queries.iter().map(|query| of(query.number)).collect()
     }
 }

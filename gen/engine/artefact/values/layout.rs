@@ -152,7 +152,10 @@ fn triangles(design: &EngineDesign) -> Vec<Item> {
 }
 
 fn lanes(params: &EngineParams) -> Vec<Item> {
-    vec![number("lanes", params.queries, ""), number("lane_bits", params.lane_bits(), "of the number of a lane")]
+    let engines = (params.engines > 1).then(|| number("engines", params.engines, "behind one stream"));
+    let lanes =
+        [number("lanes", params.queries, ""), number("lane_bits", params.lane_bits(), "of the number of a lane")];
+    engines.into_iter().chain(lanes).collect()
 }
 
 fn entry(params: &EngineParams) -> Vec<Item> {

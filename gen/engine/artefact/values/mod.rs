@@ -2,6 +2,7 @@
 
 mod blocks;
 mod by_number;
+mod engines;
 mod layout;
 mod memory;
 mod query;
@@ -15,6 +16,7 @@ use blocks::Blocks;
 use by_number::Numbers;
 use efsat_unit::artefact::testbench::half_period;
 use efsat_unit::parts::Bits;
+use engines::Engines;
 use layout::Group;
 use memory::Memories;
 use query::Query;
@@ -38,6 +40,8 @@ pub(super) struct Values {
     pub query: Query,
     pub memory: Memories,
     pub numbers: Numbers,
+    pub engines: Engines,
+    pub top: &'static str,
     pub formats: String,
     pub patience: usize,
     pub half_period: String,
@@ -57,6 +61,8 @@ impl Values {
             query: Query::new(format, params.memory),
             memory: Memories::new(design),
             numbers: Numbers::new(design),
+            engines: Engines::new(design),
+            top: design.top(),
             formats: formats_line(design),
             patience: 20000 + 4 * (unit.latency + volume.latency),
             half_period: format!("{} ps", half_period(&unit.params)),

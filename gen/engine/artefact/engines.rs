@@ -1,0 +1,30 @@
+//! Several engines behind one stream and one read port.
+
+use super::EngineDesign;
+use efsat_unit::parts::Core;
+
+/// They as a core.
+pub(super) const CORE: Core =
+    Core { name: "engines", entity: "efsat_engines", label: "engines", verilog: "efsat_engines.v", packets: &[] };
+
+/// What is around the engines, in the order of the data.
+pub(super) const ENTITIES: [(&str, &str); 5] = [
+    ("engines_dispatch", "Packets in: a query goes to the engine that has the fewest."),
+    ("efsat_engine", "An engine; those below are its entities."),
+    ("engines_gather", "Answers out, one packet behind the other."),
+    ("engines_queue", "Answers of one engine that wait for their turn."),
+    ("engines_memory", "One AXI4 read port for all engines."),
+];
+
+/// What the header of the top says.
+pub(super) fn description(design: &EngineDesign) -> Vec<String> {
+    let lines = [
+        format!("{} collision engines behind one stream and one AXI4 read port.", design.params.engines),
+        String::new(),
+        "In: the packets of one engine (see efsat_engine). A query goes to the engine that has the fewest; pairs and poses go to".to_owned(),
+        "the first one, in order.".to_owned(),
+        "Out: the answers, each in one piece, in any order; a report has the number of its query. Those to pairs and poses are in".to_owned(),
+        "order.".to_owned(),
+    ];
+    lines.to_vec()
+}
