@@ -11,6 +11,8 @@ mod certificate;
 mod claim;
 mod determinants;
 mod exact;
+mod handshakes;
+mod invariant;
 mod pair;
 mod products;
 mod queues;
@@ -64,6 +66,17 @@ fn queues() {
     let mut rows: Vec<_> = designs.iter().map(|params| queues::answers(params).run()).collect();
     rows.push(queues::Cascade::new(&params).second_stage().run());
     report(title, &rows);
+}
+
+/// What is offered stays until it is taken: by the registers, the stream wrapper and the engine's read master.
+#[test]
+fn handshakes() {
+    if !tools::there() {
+        return;
+    }
+    let claims =
+        [handshakes::registers(false), handshakes::registers(true), handshakes::wrapper(), handshakes::read_master()];
+    report("Handshakes", &claims.par_iter().map(invariant::Invariant::run).collect::<Vec<_>>());
 }
 
 /// The rules for upper bounds, the other options as given.

@@ -6,7 +6,7 @@ use super::file;
 use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
 use efsat_checks::synth::{SynthError, verilog};
-use efsat_engine::artefact::{engine_design_files_with, engine_verilog_files, samples};
+use efsat_engine::artefact::{EngineExtras, engine_design_files_with, engine_verilog_files, samples};
 use efsat_engine::ready::{ENGINES, ready_files};
 use efsat_hardware::device::Resources;
 use efsat_hardware::estimate;
@@ -54,6 +54,10 @@ pub(super) struct Arguments {
     /// Also write the design in Verilog, by GHDL: efsat.v, or efsat_engine.v; other versions of GHDL write other Verilog
     #[arg(long, conflicts_with_all = ["lp", "dump", "ready", "unit"])]
     verilog: bool,
+    /// Also write registers behind AXI4-Lite around the unit's stream wrapper or the engine, two queues and an interrupt, for a
+    /// processor without a DMA engine; with --stream-width 64
+    #[arg(long, conflicts_with_all = ["lp", "dump", "ready", "unit"])]
+    registers: bool,
     /// Print one JSON object about the design
     #[arg(long, conflicts_with_all = ["lp", "dump", "check", "ready", "unit"])]
     json: bool,
@@ -77,6 +81,7 @@ impl Arguments {
         Packaging {
             stream_width: self.stream_width,
             prefix: self.name.clone().unwrap_or_default(),
+            registers: self.registers,
             verilog: self.verilog.then(Vec::new),
         }
     }
@@ -158,6 +163,7 @@ fn unprinted(error: DesignFilesError, prefix: &Prefix) -> Failure {
         (DesignFilesError::Name(clash), Some(name)) => {
             Failure::Usage(format!("--name {name}: {clash}; expected another name"))
         }
+        (e @ DesignFilesError::Registers { .. }, _) => Failure::Usage(format!("--registers: {e}")),
         (e, _) => Failure::Check(e.to_string()),
     }
 }
@@ -171,7 +177,8 @@ fn folder(arguments: &Arguments, params: &Params) -> Result<PathBuf, Failure> {
         return Err(Failure::Usage(format!("no --out: expected --out DIR with --name {name}")));
     }
     let is_ready = |ready: &ReadyDesign| {
-        ready.params == *params && ready.stream_width == arguments.stream_width && !arguments.verilog
+        let added = arguments.verilog || arguments.registers;
+        ready.params == *params && ready.stream_width == arguments.stream_width && !added
     };
     match ready_designs().into_iter().find(is_ready) {
         Some(ready) => Ok(Path::new("rtl-out").join(ready.name)),
@@ -279,21 +286,23 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     }
     let prefix = arguments.name.clone().unwrap_or_default();
     let name = prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
+    let registers = if arguments.registers { " --registers" } else { "" };
     let verilog = if arguments.verilog { " --verilog" } else { "" };
-    let command_line = format!("{}{name}{verilog}", design.command_line());
+    let command_line = format!("{}{name}{registers}{verilog}", design.command_line());
     let vectors = samples::text(&design).map_err(|e| Failure::Usage(e.to_string()))?;
-    let files = |verilog: &[(String, String)]| {
-        let set = engine_design_files_with(&design, &prefix, &command_line, &vectors, verilog);
+    let files = |verilog: Vec<(String, String)>| {
+        let extras = EngineExtras { registers: arguments.registers, verilog };
+        let set = engine_design_files_with(&design, &prefix, &command_line, &vectors, &extras);
         set.map_err(|e| unprinted(e, &prefix))
     };
-    let mut set = files(&[])?;
+    let mut set = files(vec![])?;
     if arguments.verilog {
         if !arguments.check {
             // Before the time that GHDL takes.
             set.check_target(out)?;
         }
         let verilog = verilog::of_set(&set, &engine_verilog_files(&set, &design, &prefix));
-        set = files(&verilog.map_err(SynthError::Tool)?)?;
+        set = files(verilog.map_err(SynthError::Tool)?)?;
     }
     if arguments.check {
         return check(&set, out);
@@ -352,7 +361,8 @@ fn ready(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
 pub(super) fn command_line(params: &Params, packaging: &Packaging) -> String {
     let name = packaging.prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
     let verilog = if packaging.verilog.is_some() { " --verilog" } else { "" };
-    format!("{} --stream-width {}{name}{verilog}", params.command_line(), packaging.stream_width.name())
+    let registers = if packaging.registers { " --registers" } else { "" };
+    format!("{} --stream-width {}{name}{registers}{verilog}", params.command_line(), packaging.stream_width.name())
 }
 
 fn check(set: &FileSet, dir: &Path) -> Result<(), Failure> {

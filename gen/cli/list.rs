@@ -7,6 +7,7 @@ use efsat_geometry::mesh::{BUILTIN, builtin};
 use efsat_hardware::device::{self, Device};
 use efsat_unit::params::options::OptionRow;
 use efsat_unit::params::{Method, Params};
+use efsat_unit::parts::registers;
 
 /// Prints what there is to choose from, as a table in Markdown: options with their defaults, devices, or built-in meshes
 #[derive(Debug, clap::Args)]
@@ -28,6 +29,10 @@ enum What {
     ExactOptions,
     /// Options of the collision engine
     EngineOptions,
+    /// Registers of `generate --registers`
+    Registers,
+    /// Why these refuse an access
+    RefusedAccesses,
     /// Devices: what is on the part, and the delays that pipelining reckons with, in nanoseconds
     Devices,
     /// Built-in meshes
@@ -44,6 +49,8 @@ pub(super) fn run(arguments: &Arguments, command: &clap::Command) -> Result<(), 
             let engine = EngineParams::default().options();
             rows_of(command, |name| engine.iter().any(|(option, _)| *option == name))
         }
+        What::Registers => registers::table(),
+        What::RefusedAccesses => registers::refusal_table(),
         What::Devices => devices(),
         What::Meshes => meshes(),
     })

@@ -32,6 +32,13 @@ pub mod board {
     pub use crate::artefact::wrap::board::{add, verilog_file};
 }
 
+/// Registers around a core, and the file of their testbench.
+pub mod registers {
+    pub use crate::artefact::check::register_script::Script;
+    pub use crate::artefact::wrap::registers::{Shell, refusal_table, table};
+    pub use crate::words::registers::{Behind, PLACES};
+}
+
 /// What every manifest has.
 pub mod manifest {
     pub use crate::artefact::files::manifest::{NAME, digests, files, generator, of};

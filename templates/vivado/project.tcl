@@ -2,7 +2,7 @@
 # {{ line }}
 {% endfor -%}
 #
-# Makes a Vivado project of the unit in its stream wrapper and synthesises it out of context:
+# Makes a Vivado project of {{ top }} and synthesises it out of context:
 #   vivado -mode batch -source project.tcl [-tclargs PART]
 set part [expr {$argc > 0 ? [lindex $argv 0] : "{{ part }}"}]
 set here [file dirname [file normalize [info script]]]
@@ -14,7 +14,7 @@ add_files -norecurse [list \
 ]
 set_property file_type VHDL [get_files *.vhd]
 add_files -fileset constrs_1 -norecurse [file join $here {{ prefix }}efsat.xdc]
-set_property top {{ prefix }}efsat_stream [current_fileset]
+set_property top {{ top }} [current_fileset]
 set_property -name {STEPS.SYNTH_DESIGN.ARGS.MORE OPTIONS} -value {-mode out_of_context} -objects [get_runs synth_1]
 launch_runs synth_1
 wait_on_run synth_1

@@ -5,11 +5,8 @@
 //! in the stage each number is. It holds at the start and after a clock if it held before it (induction with one step), so it
 //! holds for all time, whatever comes in. What is assumed of the unit around the stage is what docs/cascade.md says of it.
 
-use super::claim::Row;
-use super::tools::{self, Answer};
+use super::invariant::Invariant;
 use super::unit::Mistake::{Inverted, NotMissing, WrongArm, WrongGate};
-use super::unit::{Mistake, Mutant};
-use crate::extent::share;
 use efsat::design::{Design, Probes};
 use efsat::params::Params;
 use efsat::vhdl;
@@ -17,79 +14,6 @@ use std::fmt::Write;
 
 /// Name of the package of types.
 const PACKAGE: &str = "efsat_types";
-
-/// A claim about a clocked entity that is proved by induction, as a Verilog module.
-pub struct Invariant {
-    entity: &'static str,
-    property: &'static str,
-    sizes: String,
-    /// VHDL, in dependency order.
-    files: Vec<(String, String)>,
-    inputs: Vec<&'static str>,
-    /// Signals of the entity, with their bits, and memories with theirs, that the claim looks at.
-    seen: Vec<(String, u32)>,
-    words: Vec<(&'static str, usize, u32)>,
-    ports: Vec<String>,
-    body: String,
-    given: Vec<String>,
-    shown: Vec<String>,
-    mutants: Vec<Mutant>,
-}
-
-impl Invariant {
-    fn see(&mut self, signals: &[(&str, u32)]) {
-        self.seen.extend(signals.iter().map(|(name, bits)| ((*name).to_owned(), *bits)));
-    }
-
-    fn shown<S: Into<String>>(&mut self, conditions: impl IntoIterator<Item = S>) {
-        self.shown.extend(conditions.into_iter().map(Into::into));
-    }
-
-    fn mutants(&mut self, mutants: &[(Mistake, &str)]) {
-        let mutant = |(mistake, signal): &(Mistake, &str)| Mutant { mistake: *mistake, signal: (*signal).to_owned() };
-        self.mutants.extend(mutants.iter().map(mutant));
-    }
-
-    fn verilog(&self) -> String {
-        let plain = |name: &str| name.replace('.', "_");
-        let mut wires = String::new();
-        let mut ports = self.ports.clone();
-        for (name, bits) in &self.seen {
-            let _ = writeln!(wires, "  wire [{}:0] {};", bits - 1, plain(name));
-            ports.push(format!(".\\{name} ({})", plain(name)));
-        }
-        for (name, count, bits) in &self.words {
-            for i in 0..*count {
-                let _ = writeln!(wires, "  wire [{}:0] {name}{i};", bits - 1);
-                ports.push(format!(".\\{name}[{i}] ({name}{i})"));
-            }
-        }
-        let inputs: String = self.inputs.iter().map(|name| format!(", input {name}")).collect();
-        let lines = |word: &str, all: &[String]| all.iter().map(|c| format!("    {word}({c});\n")).collect::<String>();
-        format!(
-            "`default_nettype none\nmodule claim(input clk, input reset{inputs});\n{wires}{}  {} unit(.clk(clk), \
-             .reset(reset), {});\n  always @* begin\n{}{}  end\nendmodule\n",
-            self.body,
-            self.entity,
-            ports.join(", "),
-            lines("assume", &self.given),
-            lines("assert", &self.shown),
-        )
-    }
-
-    fn ask(&self, files: &[(String, String)]) -> Answer {
-        let seen: Vec<String> = self.seen.iter().map(|(name, _)| name.clone()).collect();
-        let words: Vec<String> = self.words.iter().map(|(name, ..)| format!("{name}*")).collect();
-        tools::induce(&tools::verilog(files, self.entity), self.entity, &self.verilog(), &seen, &words)
-    }
-
-    /// Proves the claim, and sees that the proof of no wrong text goes through.
-    pub fn run(&self) -> Row {
-        let claim = [self.entity.to_owned(), self.sizes.clone(), self.property.to_owned()];
-        let mutated = |mutant: &Mutant| mutant.applied(&self.files).map(|files| self.ask(&files).outcome);
-        Row::new(claim, self.ask(&self.files), &share(14, &self.mutants), mutated)
-    }
-}
 
 /// A cascade and what its claims need to know of it.
 pub struct Cascade {
@@ -140,20 +64,8 @@ impl Cascade {
     }
 
     fn claim(&self, entity: &'static str, property: &'static str, files: Vec<(String, String)>) -> Invariant {
-        Invariant {
-            entity,
-            property,
-            sizes: format!("{} places, {} clocks", self.places, self.slot),
-            files,
-            inputs: vec![],
-            seen: vec![],
-            words: vec![],
-            ports: vec![],
-            body: String::new(),
-            given: vec![],
-            shown: vec![],
-            mutants: vec![],
-        }
+        let sizes = format!("{} places, {} clocks", self.places, self.slot);
+        Invariant::new(entity, property, sizes, files)
     }
 
     /// Clocks within which the second stage offers the answer of its oldest pair.
@@ -355,20 +267,11 @@ pub fn answers(params: &Params) -> Invariant {
     let inputs: Vec<&str> = inputs.filter(|name| control.contains(&format!("{name} "))).collect();
     let able = if inputs.contains(&"head_ready") { "head_ready && output_free" } else { "output_free" };
     let outputs = ["accept", "decide", "take", "out_valid", "accept_address", "decide_address", "take_address"];
-    let mut claim = Invariant {
-        entity: "sequencer",
-        property: "answers in order, none lost, each in time",
-        sizes: format!("{places} places, {slot} clock{}", if slot == 1 { "" } else { "s" }),
-        files: [PACKAGE, "sequencer"].map(|name| (format!("{name}.vhd"), text(name))).into(),
-        ports: inputs.iter().chain(&outputs).map(|name| format!(".{name}({name})")).collect(),
-        inputs,
-        seen: vec![],
-        words: vec![],
-        body: String::new(),
-        given: vec![],
-        shown: vec![],
-        mutants: vec![],
-    };
+    let sizes = format!("{places} places, {slot} clock{}", if slot == 1 { "" } else { "s" });
+    let files = [PACKAGE, "sequencer"].map(|name| (format!("{name}.vhd"), text(name))).into();
+    let mut claim = Invariant::new("sequencer", "answers in order, none lost, each in time", sizes, files);
+    claim.ports = inputs.iter().chain(&outputs).map(|name| format!(".{name}({name})")).collect();
+    claim.inputs = inputs;
     claim.see(&[("accepted", w), ("accepted_ahead", w), ("decided", w), ("taken", w), ("taken_ahead", w)]);
     claim.see(&[("full", 1), ("empty", 1), ("output_free", 1)]);
     let (in_path, oldest) = in_data_path(&mut claim, latency, slot);

@@ -1,7 +1,7 @@
 //! All files of a generated engine, as one value.
 
 use super::values::WORD;
-use super::{CORE, EngineDesign, NAME, TESTBENCH, bench, by_number, engine_files, engines, host};
+use super::{CORE, EngineDesign, NAME, TESTBENCH, bench, by_number, engine_files, engines, host, registers};
 use crate::params::Memory;
 use crate::words::Command;
 use askama::Template;
@@ -9,6 +9,7 @@ use efsat_hardware::vhdl::lint::lint;
 use efsat_unit::artefact::file_lists::FileLists;
 use efsat_unit::artefact::{DesignFilesError, FileSet, Prefix};
 use efsat_unit::design::top::pace;
+use efsat_unit::parts::registers::Shell;
 use efsat_unit::parts::{FileRow, Project, RETEST, add_top, board, manifest};
 use efsat_unit::words::PacketKind;
 use serde::Serialize;
@@ -37,6 +38,15 @@ struct Readme<'a> {
     files: Vec<FileRow>,
     project: Option<Project>,
     testbench: String,
+}
+
+/// What is chosen for the files of an engine and does not change it.
+#[derive(Clone, Debug, Default)]
+pub struct EngineExtras {
+    /// Whether there are registers behind AXI4-Lite around the engine.
+    pub registers: bool,
+    /// Name and text of the [Verilog files](crate::artefact::engine_verilog_files) that are made already.
+    pub verilog: Vec<(String, String)>,
 }
 
 /// What an engine is.
@@ -98,13 +108,11 @@ pub fn engine_design_files(
     command_line: &str,
     vectors: &str,
 ) -> Result<FileSet, DesignFilesError> {
-    engine_design_files_with(design, prefix, command_line, vectors, &[])
+    engine_design_files_with(design, prefix, command_line, vectors, &EngineExtras::default())
 }
 
 /// Sources, testbench, its vectors, lists, a README and the manifest; with block RAM also the example behind a UART and the files
-/// of a board that has the device. `verilog` are name and text of the
-/// [Verilog files](crate::artefact::engine_verilog_files) that are made already. Equal designs, vectors and command lines
-/// give equal bytes.
+/// of a board that has the device. Equal designs, vectors and command lines give equal bytes.
 ///
 /// # Errors
 /// As [`engine_design_files`].
@@ -113,18 +121,24 @@ pub fn engine_design_files_with(
     prefix: &Prefix,
     command_line: &str,
     vectors: &str,
-    verilog: &[(String, String)],
+    extras: &EngineExtras,
 ) -> Result<FileSet, DesignFilesError> {
     let mut sources = engine_files(design, prefix, command_line)?;
     let (constants, package) = host::package(design, prefix);
     sources.push((constants.clone(), package));
-    let texts: Vec<(&str, &str)> = sources.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
+    let mut set = FileSet::default();
+    let mut names: Vec<String> = sources.iter().map(|(name, _)| name.clone()).collect();
+    sources.into_iter().for_each(|(name, text)| set.insert(name, text));
+    let mut registers = vec![];
+    if extras.registers {
+        registers = registers::shell(design, prefix, &design.command_line()).add(&mut set);
+        names.extend(Shell::sources(prefix));
+    }
+    let texts: Vec<(&str, &str)> = names.iter().filter_map(|name| Some((name.as_str(), set.get(name)?))).collect();
     if let Some(finding) = lint(&texts).into_iter().next() {
         return Err(DesignFilesError::Lint(finding));
     }
     let (bench_file, vector_file) = (format!("{prefix}{TESTBENCH}.vhd"), format!("{prefix}{TESTBENCH}.vec"));
-    let names: Vec<String> = sources.iter().map(|(name, _)| name.clone()).collect();
-    let mut set = FileSet::default();
     let row = FileRow::new;
     let mut files = vec![
         row(
@@ -172,7 +186,7 @@ pub fn engine_design_files_with(
         row("files-synthesis.txt", "Those of them that are synthesised."),
         row("manifest.json", "Parameters, headers of the stream, latencies, and a SHA-256 per file, for programs."),
     ];
-    sources.into_iter().for_each(|(name, text)| set.insert(name, text));
+    files.extend(registers);
     host::files(design, prefix).into_iter().for_each(|(name, text)| set.insert(name, text));
     set.insert(&bench_file, bench(design, prefix));
     set.insert(vector_file, vectors.to_owned());
@@ -186,11 +200,13 @@ pub fn engine_design_files_with(
         project = board::add(&mut set, &CORE, unit, prefix, &names);
         files.extend(project.as_ref().map(FileRow::of_project));
     }
-    for (name, text) in verilog {
+    for (name, text) in &extras.verilog {
         files.push(FileRow::of_verilog(name));
         set.insert(name, text);
     }
-    set.insert("files.txt", format!("{}\n{bench_file}\n", all.join("\n")));
+    all.push(bench_file);
+    all.extend(extras.registers.then(|| Shell::bench(prefix).file));
+    set.insert("files.txt", format!("{}\n", all.join("\n")));
     set.insert("README.md", readme(design, prefix, command_line, files, project));
     let text = manifest_of(design, command_line, &set);
     set.insert(manifest::NAME, text);

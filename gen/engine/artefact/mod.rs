@@ -7,6 +7,7 @@ mod files;
 mod host;
 mod memories;
 mod meshes;
+mod registers;
 // For co-simulation and the testbench.
 #[doc(hidden)]
 pub mod samples;
@@ -36,7 +37,7 @@ use efsat_unit::words::PacketKind;
 use values::{Lines, Values};
 use volume::volume_files;
 
-pub use files::{engine_design_files, engine_design_files_with};
+pub use files::{EngineExtras, engine_design_files, engine_design_files_with};
 pub use verilog::engine_verilog_files;
 
 /// Name of the entity of the engine, without a prefix.

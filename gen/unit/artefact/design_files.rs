@@ -1,15 +1,17 @@
 //! All files of a generated design, as one value.
 
-use super::check::{stream_vectors, testbench, vectors};
+use super::check::{register_script, stream_vectors, testbench, vectors};
 use super::files::core::{Core, FileRow};
 use super::files::file_lists::FileLists;
 use super::files::manifest;
 use super::files::project::Project;
 use super::units::{UnitRow, first_sentence, units};
+use super::wrap::registers::Shell;
 use super::wrap::{board, drop_in, example, host, ise, stream, vivado};
 use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
 use crate::design::Design;
 use crate::design::top::pace;
+use crate::words::registers::Behind;
 use crate::words::{StreamFormat, StreamWidth};
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
@@ -25,12 +27,14 @@ pub struct Packaging {
     pub stream_width: StreamWidth,
     /// What stands before all names.
     pub prefix: Prefix,
+    /// Whether there are registers behind AXI4-Lite around the stream wrapper.
+    pub registers: bool,
     /// Whether there are [Verilog files](super::verilog_files), too: name and text of those that are made already.
     pub verilog: Option<Vec<(String, String)>>,
 }
 
-/// Why a design cannot be printed: a defect of the generator, never of the parameters; or a name that a prefix makes equal
-/// to another.
+/// Why a design cannot be printed: a defect of the generator, never of the parameters; a name that a prefix makes equal
+/// to another; or registers for words that they cannot carry.
 #[derive(Debug, thiserror::Error)]
 pub enum DesignFilesError {
     /// A name that is not legal VHDL.
@@ -39,6 +43,14 @@ pub enum DesignFilesError {
     /// A text that the target's tools would not take.
     #[error("lint: {0}")]
     Lint(Finding),
+    /// Words that the registers cannot carry.
+    #[error("words of {word} bits in and {answer} out; expected 64 in and at most 64 out")]
+    Registers {
+        /// Bits of a word in.
+        word: u32,
+        /// Bits of an answer.
+        answer: u32,
+    },
 }
 
 #[derive(Template)]
@@ -80,7 +92,7 @@ pub fn design_files_with(
     packaging: &Packaging,
     command_line: &str,
 ) -> Result<FileSet, DesignFilesError> {
-    let Packaging { stream_width: width, prefix, verilog } = packaging;
+    let Packaging { stream_width: width, prefix, registers, verilog } = packaging;
     let mut set = FileSet::default();
     let mut described = vec![];
     let mut core = vec![];
@@ -93,8 +105,16 @@ pub fn design_files_with(
         set.insert(name.clone(), text);
         core.push(name);
     }
-    let lists = FileLists::new(core, prefix);
+    let mut lists = FileLists::new(core, prefix);
     let format = StreamFormat::new(params, *width);
+    if *registers {
+        lists = lists.with_registers(prefix);
+        let (word, answer) = (width.bits(), format.answer_width());
+        if word != 64 || answer > 64 {
+            return Err(DesignFilesError::Registers { word, answer });
+        }
+    }
+    let lists = lists;
     let mut describe = |name: &str, what: &str| described.push(FileRow::new(name, what));
     set.insert(&lists.wrapper, stream::wrapper(design, &format, prefix, &origin));
     set.insert(&lists.constants, host::package(design, &format, prefix));
@@ -106,6 +126,10 @@ pub fn design_files_with(
     describe(&lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
     example::add(&mut set, design, &format, prefix, &lists);
     describe("example", "The wrapped unit behind a UART, a whole design, and its testbench.");
+    if *registers {
+        let rows = shell(design, &format, &params.command_line(), prefix).add(&mut set);
+        rows.iter().for_each(|row| describe(&row.name, &row.what));
+    }
 
     let synthesised = lists.synthesised();
     let texts: Vec<(&str, &str)> =
@@ -114,7 +138,7 @@ pub fn design_files_with(
         return Err(DesignFilesError::Lint(finding));
     }
 
-    let [unit_bench, stream_bench, _] = &lists.benches;
+    let (unit_bench, stream_bench) = (&lists.benches[0], &lists.benches[1]);
     set.insert(&unit_bench.file, testbench::text(design, prefix, &origin));
     let stimulus = Stimulus::random(params, PAIRS, 1).followed_by(Stimulus::outside(params));
     set.insert(&unit_bench.vectors, vectors::text(params, &stimulus));
@@ -146,7 +170,7 @@ pub fn design_files_with(
     }
     let projects = [
         ise::add(&mut set, design, prefix, &synthesised),
-        vivado::add(&mut set, design, packaging, command_line, &synthesised),
+        vivado::add(&mut set, design, packaging, command_line, &lists),
         board::add(&mut set, &Core::UNIT, design, prefix, &synthesised),
     ];
     let projects: Vec<Project> = projects.into_iter().flatten().collect();
@@ -159,6 +183,23 @@ pub fn design_files_with(
     let manifest = manifest::text(design, Some(&format), command_line, &set);
     set.insert(manifest::NAME, manifest);
     Ok(set)
+}
+
+/// The registers around the wrapper.
+fn shell<'a>(design: &Design, format: &StreamFormat, options: &'a str, prefix: &'a Prefix) -> Shell<'a> {
+    Shell {
+        behind: Behind::Unit,
+        options,
+        prefix,
+        core: stream::NAME,
+        answer_bits: format.answer_width(),
+        query_kind: String::new(),
+        report: (1, String::new()),
+        more_ports: String::new(),
+        half_period: format!("{} ps", testbench::half_period(&design.params)),
+        memory: [String::new(), String::new()],
+        script: register_script::unit(&design.params, format, options),
+    }
 }
 
 fn readme(

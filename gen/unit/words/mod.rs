@@ -18,6 +18,9 @@ mod answer;
 pub mod constants;
 mod format;
 mod record;
+// For the engine, the program and the testbench.
+#[doc(hidden)]
+pub mod registers;
 mod word;
 
 pub use answer::{AnswerFields, MALFORMED, OUTSIDE, REASON_AT, REPORT, STATUS_BITS, StreamReport, verdict_status};

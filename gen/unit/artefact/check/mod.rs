@@ -1,5 +1,6 @@
 //! What checks a design in a simulator: stimuli, vector files, the testbench.
 
+pub mod register_script;
 mod stimulus;
 pub mod stream_vectors;
 pub mod testbench;

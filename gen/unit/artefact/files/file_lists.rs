@@ -1,6 +1,7 @@
 //! The VHDL files of a design by what they are for: every list of files in every project comes from here.
 
 use super::Prefix;
+use crate::artefact::wrap::registers::{SHELL, Shell};
 
 /// A testbench.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,10 +27,14 @@ pub struct FileLists {
     pub core: Vec<String>,
     /// The stream wrapper.
     pub wrapper: String,
+    /// The registers around it, if there are any.
+    pub registers: Vec<String>,
+    /// The entity around everything that is synthesised.
+    pub top: String,
     /// The example design around the wrapper.
     pub example: [String; 3],
-    /// Testbenches of the unit, the wrapper and the example.
-    pub benches: [BenchFiles; 3],
+    /// Testbenches of the unit, the wrapper and the example, and of the registers.
+    pub benches: Vec<BenchFiles>,
 }
 
 impl FileLists {
@@ -53,7 +58,9 @@ impl FileLists {
             core,
             wrapper: file("", "efsat_stream"),
             example: Self::example(prefix),
-            benches: [
+            registers: vec![],
+            top: prefix.of("efsat_stream"),
+            benches: vec![
                 bench("efsat_tb", "", true, "Testbench of the unit", "sim"),
                 bench("efsat_stream_tb", "", true, "Testbench of the stream wrapper", "sim_stream"),
                 bench("efsat_uart_tb", "example/", false, "Testbench of the UART example", "sim_uart"),
@@ -61,10 +68,18 @@ impl FileLists {
         }
     }
 
+    /// With registers around the wrapper.
+    pub fn with_registers(mut self, prefix: &Prefix) -> Self {
+        self.registers = Shell::sources(prefix).into();
+        self.top = prefix.of(SHELL);
+        self.benches.push(Shell::bench(prefix));
+        self
+    }
+
     /// What is synthesised: the unit and its wrapper, and the constants for what is around them.
     pub fn synthesised(&self) -> Vec<String> {
         let constants = std::iter::once(&self.constants);
-        constants.chain(&self.core).chain([&self.wrapper]).cloned().collect()
+        constants.chain(&self.core).chain([&self.wrapper]).chain(&self.registers).cloned().collect()
     }
 
     /// All files, testbenches last.

@@ -1,6 +1,7 @@
 //! Projects for build tools, and instances to copy.
 
 use crate::artefact::files::file_lists::{BenchFiles, FileLists};
+use super::registers::{SHELL, shell_ports};
 use crate::artefact::{FileSet, Packaging, Prefix, origin};
 use crate::design::Design;
 use crate::params::options::Choice;
@@ -14,8 +15,8 @@ use efsat_hardware::op::Type;
 #[template(path = "drop-in/efsat.core", escape = "none")]
 struct Core<'a> {
     header: &'a [String],
-    prefix: &'a Prefix,
     core: &'a str,
+    top: &'a str,
     version: &'static str,
     device: &'static str,
     synthesis: Synthesis,
@@ -62,6 +63,9 @@ pub(in crate::artefact) fn core_name(params: &Params, packaging: &Packaging) -> 
         for (option, value) in differences.chain(stream) {
             name.push_str(&format!("-{option}-{}", value.replace('+', "plus-")));
         }
+        if packaging.registers {
+            name.push_str("-registers");
+        }
     }
     format!("efsat:core:{name}")
 }
@@ -79,7 +83,7 @@ struct VUnit<'a> {
 struct Instances<'a> {
     header: &'a [String],
     prefix: &'a Prefix,
-    instances: [Instance; 2],
+    instances: Vec<Instance>,
 }
 
 struct Instance {
@@ -106,7 +110,8 @@ fn instance(entity: String, ports: Vec<(String, u32)>) -> Instance {
     Instance { entity, ports: ports.into_iter().map(port).collect() }
 }
 
-fn instances(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [Instance; 2] {
+fn instances(design: &Design, format: &StreamFormat, packaging: &Packaging) -> Vec<Instance> {
+    let prefix = &packaging.prefix;
     let top = &design.top;
     let bits = |ty: Type| ty.bits;
     let inputs = top.inputs.iter().map(|id| (top.signal(*id).name(), bits(top.signal(*id).ty)));
@@ -119,7 +124,9 @@ fn instances(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [Instan
     let control = ["aclk", "aresetn"].map(|name| (name.to_owned(), 1));
     let wrapper =
         control.into_iter().chain(side("s_axis", format.width.bits())).chain(side("m_axis", format.answer_width()));
-    [instance(prefix.of("efsat_stream"), wrapper.collect()), instance(prefix.of("efsat"), unit)]
+    let shell = packaging.registers.then(|| instance(prefix.of(SHELL), shell_ports("")));
+    let wrapper = instance(prefix.of("efsat_stream"), wrapper.collect());
+    shell.into_iter().chain([wrapper, instance(prefix.of("efsat"), unit)]).collect()
 }
 
 /// Adds all projects; returns name (or folder) and description of each.
@@ -139,12 +146,12 @@ pub(in crate::artefact) fn add(
     let texts = [
         (
             prefix.of("efsat.core"),
-            Core { header, prefix, core, version, device, synthesis, sources, example, benches }.render(),
+            Core { header, core, top: &lists.top, version, device, synthesis, sources, example, benches }.render(),
         ),
         ("vunit/run.py".to_owned(), VUnit { header, prefix, benches }.render()),
         (
             prefix.of("efsat_instance.vhd.txt"),
-            Instances { header, prefix, instances: instances(design, format, prefix) }.render(),
+            Instances { header, prefix, instances: instances(design, format, packaging) }.render(),
         ),
     ];
     for (name, text) in texts {

@@ -5,6 +5,7 @@ pub(super) mod drop_in;
 pub(crate) mod example;
 pub(crate) mod host;
 pub(super) mod ise;
+pub mod registers;
 pub mod stream;
 pub(crate) mod verilog;
 pub(super) mod vivado;

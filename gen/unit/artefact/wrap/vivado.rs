@@ -1,6 +1,7 @@
 //! Project and IP packaging for Vivado, for devices that it knows.
 
 use super::drop_in::core_name;
+use crate::artefact::files::file_lists::FileLists;
 use crate::artefact::files::project::Project;
 use crate::artefact::{FileSet, Packaging, Prefix, origin};
 use crate::design::Design;
@@ -12,6 +13,7 @@ use efsat_hardware::device::Family;
 struct Script<'a> {
     header: &'a [String],
     prefix: &'a Prefix,
+    top: &'a str,
     part: &'a str,
     sources: &'a [String],
 }
@@ -27,7 +29,8 @@ struct Constraints<'a> {
 #[template(path = "vivado/package_ip.tcl", escape = "none")]
 struct PackageIp<'a> {
     header: &'a [String],
-    prefix: &'a Prefix,
+    top: &'a str,
+    has_registers: bool,
     part: &'a str,
     family: String,
     name: String,
@@ -37,14 +40,15 @@ struct PackageIp<'a> {
     sources: &'a [String],
 }
 
-/// Adds the project if Vivado knows the device; `sources` are the synthesizable files in dependency order.
+/// Adds the project if Vivado knows the device.
 pub(in crate::artefact) fn add(
     set: &mut FileSet,
     design: &Design,
     packaging: &Packaging,
     command_line: &str,
-    sources: &[String],
+    lists: &FileLists,
 ) -> Option<Project> {
+    let (sources, top) = (&lists.synthesised()[..], &lists.top[..]);
     let device = design.device.part;
     match design.device.family {
         Family::Series7 | Family::UltraScalePlus => {}
@@ -58,9 +62,9 @@ pub(in crate::artefact) fn add(
     let name = core_name(&design.params, packaging).rsplit(':').next().unwrap_or_default().replace('-', "_");
     let ip_version = env!("CARGO_PKG_VERSION").split('.').take(2).collect::<Vec<_>>().join(".");
     let (family, interval) = (device.family.to_lowercase(), design.interval);
-    let ip = PackageIp { header, prefix, part, family, name, ip_version, interval, command_line, sources };
+    let ip = PackageIp { header, top, has_registers: packaging.registers, part, family, name, ip_version, interval, command_line, sources };
     let texts = [
-        ("project.tcl".to_owned(), Script { header, prefix, part, sources }.render()),
+        ("project.tcl".to_owned(), Script { header, prefix, top, part, sources }.render()),
         (prefix.of("efsat.xdc"), Constraints { header, period }.render()),
         ("package_ip.tcl".to_owned(), ip.render()),
     ];
