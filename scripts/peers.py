@@ -1,17 +1,24 @@
 """All contacts of two meshes by this project and by others, a row for each scene and program; then all self-intersections of a mesh."""
 
+import collections
 import importlib.util
+import pathlib
+import subprocess
 import sys
+import tempfile
 import time
 
 import efsat
 import numpy as np
 
 ROUNDS = 5
+#: peers.cpp as a program, if it could be compiled.
+COMPILED = sys.argv[4]
+Shape = collections.namedtuple("Shape", "vertices faces")
 
 
 def ours(a, b):
-    collider = efsat.Collider(a, b)
+    collider = efsat.Collider(*[efsat.Mesh(mesh.vertices, mesh.faces) for mesh in (a, b)])
     return collider.contacts, lambda found: found.pairs.tolist()
 
 
@@ -68,7 +75,10 @@ def of_meshlib(mesh):
 def meshlib(a, b):
     from meshlib import mrmeshpy
 
-    first, second = [mrmeshpy.MeshPart(of_meshlib(mesh)) for mesh in (a, b)]
+    built = [of_meshlib(mesh) for mesh in (a, b)]
+    for mesh in built:
+        mesh.getAABBTree()
+    first, second = map(mrmeshpy.MeshPart, built)
 
     def query(pose):
         vector = lambda row: mrmeshpy.Vector3f(*map(float, row))
@@ -79,6 +89,7 @@ def meshlib(a, b):
 
 
 def own(mesh):
+    mesh = efsat.Mesh(mesh.vertices, mesh.faces)
     return lambda _: efsat.self_intersections(mesh), lambda found: found[0].tolist()
 
 
@@ -96,6 +107,24 @@ def own_meshlib(mesh):
     return query, lambda found: [sorted((pair.aFace.get(), pair.bFace.get())) for pair in found]
 
 
+def tori(sides=224):
+    """Two of 2 * sides * sides triangles that touch along a curve, and poses of the second."""
+    i, j = np.divmod(np.arange(sides * sides), sides)
+    u, v = (np.stack([i, j]) * (2 * np.pi / sides))
+    r = 1 + 0.4 * np.cos(v)
+    index = lambda i, j: i % sides * sides + j % sides
+    p, q, s, t = index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)
+    faces = np.concatenate([np.stack([p, q, s], 1), np.stack([p, s, t], 1)])
+    mesh = Shape(np.stack([r * np.cos(u), r * np.sin(u), 0.4 * np.sin(v)], 1), faces)
+    return mesh, [moved([x, 0.1, 0.2]) for x in (2.79, 2.6, 2.4, 2.2, 1.9)]
+
+
+def moved(t):
+    pose = np.eye(4)
+    pose[:3, 3] = t
+    return pose
+
+
 def ask(query, read, poses):
     """The best processor time of each query in microseconds, the mean of these, and the pairs that were found."""
     best = np.full(len(poses), np.inf)
@@ -109,35 +138,73 @@ def ask(query, read, poses):
     return best.mean() * 1e6, found
 
 
-def rows(what, programs, poses):
+def timed(program, poses):
+    """What `ask` says of a program, after the best processor time of making its trees in milliseconds."""
+    trees = []
+    for _ in range(ROUNDS):
+        start = time.process_time()
+        asked = program()
+        trees.append(time.process_time() - start)
+    return 1e3 * min(trees), *ask(*asked, poses)
+
+
+def compiled(name, a, b, poses):
+    """The same of a program in peers.cpp."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        for mesh, file in [(a, "a.f64"), (b, "b.f64")]:
+            mesh.vertices[mesh.faces].astype("<f8").tofile(folder / file)
+        np.array([[*pose[:3, :3].flat, *pose[:3, 3]] for pose in poses]).astype("<f8").tofile(folder / "poses.f64")
+        said = subprocess.run([COMPILED, name, str(folder), str(ROUNDS)], check=True, capture_output=True, text=True).stdout
+        trees, query = map(float, said.split())
+        return 1e3 * trees, 1e6 * query, set(map(tuple, np.fromfile(folder / "found.u32", "<u4").reshape(-1, 3).tolist()))
+
+
+def rows(what, programs, trees_apart=True):
     exact = None
+    for name, measure in programs:
+        trees, micros, found = measure()
+        exact = found if exact is None else exact
+        numbers = [f"{trees:,.1f}" if trees_apart else "", f"{micros:,.0f}", *(f"{len(x):,}" for x in (found, exact - found, found - exact))]
+        print(f"| {what} | {name} | {' | '.join(numbers)} |", flush=True)
+
+
+def installed(programs):
     for name, module, program in programs:
         if importlib.util.find_spec(module) is None:
             print(f"skipped: {name} is not installed", file=sys.stderr)
-            continue
-        micros, found = ask(*program(), poses)
-        exact = found if exact is None else exact
-        numbers = [f"{micros:,.0f}", *(f"{len(x):,}" for x in (found, exact - found, found - exact))]
-        print(f"| {what} | {name} | {' | '.join(numbers)} |")
+        else:
+            yield name, program
+
+
+def pairs(what, a, b, poses):
+    programs = installed([("efsat", "efsat", ours), ("FCL", "fcl", fcl), ("Coal", "coal", coal), ("MeshLib", "meshlib", meshlib)])
+    measures = [(name, lambda program=program: timed(lambda: program(a, b), poses)) for name, program in programs]
+    if COMPILED:
+        measures += [(name, lambda name=name: compiled(name, a, b, poses)) for name in ("CGAL", "Embree")]
+    rows(what, measures)
 
 
 def main():
-    most, *files = sys.argv[1:]
-    print("| scene or mesh | program | microseconds | found | missed | invented |\n| --- | --- | ---: | ---: | ---: | ---: |")
-    for file in files:
+    most, scenes, files = int(sys.argv[1]), sys.argv[2].split(), sys.argv[3].split()
+    print("| scene or mesh | program | trees, ms | microseconds | found | missed | invented |")
+    print("| --- | --- | ---: | ---: | ---: | ---: | ---: |")
+    for file in scenes:
         scene = efsat.scene(file)
         meshes = scene.meshes()
         meetings = [meeting for frame in range(len(scene)) for meeting in scene.meetings(frame)]
         a, b = meetings[0][:2]
         poses = [pose for p, q, pose in meetings if (p, q) == (a, b)]
-        poses = poses[:: max(1, -(-len(poses) // int(most)))]
-        pair = meshes[a], meshes[b]
-        programs = [("efsat", "efsat", ours), ("FCL", "fcl", fcl), ("Coal", "coal", coal), ("MeshLib", "meshlib", meshlib)]
-        rows(scene.name, [(name, module, lambda program=program: program(*pair)) for name, module, program in programs], poses)
-    for file in ["m8_bolt", "m8_nut", "cad_headlight"]:
-        mesh = efsat.read_mesh(f"scenes/{file}.stl")
-        programs = [("efsat", "efsat", lambda: own(mesh)), ("MeshLib", "meshlib", lambda: own_meshlib(mesh))]
-        rows(f"{file} itself", programs, [None])
+        shapes = [Shape(mesh.vertices, mesh.faces) for mesh in (meshes[a], meshes[b])]
+        pairs(scene.name, *shapes, poses[:: max(1, -(-len(poses) // most))])
+    torus, poses = tori()
+    pairs("tori", torus, torus, poses)
+    count = len(torus.vertices)
+    both = Shape(np.concatenate([torus.vertices, torus.vertices + poses[1][:3, 3]]), np.concatenate([torus.faces, torus.faces + count]))
+    meshes = [(pathlib.Path(file).stem, efsat.read_mesh(file)) for file in files]
+    for name, mesh in [*meshes, ("two tori", both)]:
+        programs = installed([("efsat", "efsat", own), ("MeshLib", "meshlib", own_meshlib)])
+        rows(f"{name} itself", [(of, lambda program=program: timed(lambda: program(mesh), [None])) for of, program in programs], False)
 
 
 main()

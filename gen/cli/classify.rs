@@ -13,7 +13,7 @@ use efsat_geometry::sample::random_points;
 use efsat_geometry::scene::{Meeting, Scene};
 use efsat_geometry::software::retest::retest;
 use efsat_unit::host;
-use efsat_unit::host::{Host, ReadyScene, Reference, Relations, Verdicts, loose_pair};
+use efsat_unit::host::{Host, ReadyScene, Reference, Relations, Verdicts, loose_pairs};
 use efsat_unit::pair::{Pose, Verdict};
 use efsat_unit::params::{Method, Params, Truth};
 use indicatif::ProgressBar;
@@ -25,6 +25,8 @@ use std::io::{self, BufWriter, StdoutLock, Write};
 
 /// Loose pairs that are in work at a time.
 const BATCH: usize = 1 << 14;
+/// Of these a thread takes so many at a time.
+const SHARE: usize = 1 << 8;
 
 /// Answers pairs with the reference model, which is what the unit answers
 ///
@@ -250,16 +252,15 @@ impl Classifier {
 
     fn loose(&self, points: &[Points]) -> Vec<Answer> {
         const FINITE: &str = "pairs are finite";
-        let one = |p: &Points| {
-            let pair = loose_pair(p, &self.reference.params).expect(FINITE);
-            self.answer(
-                &self.reference.identity,
-                &pair,
-                || retest(p).expect(FINITE),
-                || exact::relation(p).expect(FINITE),
-            )
+        let one = |(pair, p): (&Host, &Points)| {
+            let (retest, exact) = (|| retest(p).expect(FINITE), || exact::relation(p).expect(FINITE));
+            self.answer(&self.reference.identity, pair, retest, exact)
         };
-        points.par_iter().map(one).collect()
+        let some = |points: &[Points]| -> Vec<Answer> {
+            let pairs = loose_pairs(points, &self.reference.params).expect(FINITE);
+            pairs.iter().zip(points).map(one).collect()
+        };
+        points.par_chunks(SHARE).flat_map_iter(some).collect()
     }
 
     /// Answers the first pairs of a file, which have been read, and then the others.

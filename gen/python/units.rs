@@ -6,8 +6,9 @@ use efsat_engine::driver::{Objects, QueryOptions, StandIn as EngineStandIn};
 use efsat_engine::params::EngineParams;
 use efsat_geometry::Points;
 use efsat_geometry::mesh::Mesh;
+use efsat_unit::golden::Reason;
 use efsat_unit::host::driver::{Driver, StandIn, Transfer, packet};
-use efsat_unit::host::{Host, Reference, loose_pair};
+use efsat_unit::host::{Host, Reference, loose_pairs};
 use efsat_unit::pair::{Outcome, Pair, Verdict};
 use efsat_unit::params::options::Choice;
 use efsat_unit::params::{Method, Params};
@@ -53,6 +54,9 @@ fn unit(words: Vec<String>) -> PyResult<Params> {
     Ok(params)
 }
 
+/// Pairs that a thread takes at a time.
+const SHARE: usize = 1 << 8;
+
 /// The unit of some options.
 #[pyclass(frozen, module = "efsat")]
 pub struct Design {
@@ -73,10 +77,12 @@ type Numbers<'py> = (Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<bool>>);
 
 impl Design {
     fn hosts(&self, points: &[Points]) -> PyResult<Vec<Host>> {
-        let one =
-            |(at, points): (usize, &Points)| loose_pair(points, &self.reference.params).map_err(|e| e.of_pair(at));
-        let all: Result<Vec<Host>, efsat_geometry::NotFinite> = points.par_iter().enumerate().map(one).collect();
-        all.map_err(value_error)
+        let some = |(share, points): (usize, &[Points])| {
+            loose_pairs(points, &self.reference.params).map_err(|e| e.of_pair(share * SHARE))
+        };
+        let all: Result<Vec<Vec<Host>>, efsat_geometry::NotFinite> =
+            points.par_chunks(SHARE).enumerate().map(some).collect();
+        Ok(all.map_err(value_error)?.concat())
     }
 }
 
@@ -124,6 +130,22 @@ impl Design {
             PyArray1::from_iter(py, found.iter().map(|(outcome, _)| outcome.outside)),
             PyArray1::from_iter(py, found.iter().map(|(_, by_host)| *by_host)),
         ))
+    }
+
+    /// For each pair why it is left open, the gap and its error; none of what is decided.
+    #[allow(clippy::type_complexity, reason = "three columns of a table")]
+    fn reasons(
+        &self,
+        py: Python<'_>,
+        points: PyReadonlyArray2<'_, f64>,
+    ) -> PyResult<Vec<Option<(String, Option<f64>, Option<f64>)>>> {
+        let points = pairs(&points)?;
+        let Reference { golden, identity, .. } = &self.reference;
+        let one = |host: &Host| {
+            let Reason { words, margin } = host.reason(golden, identity)?;
+            Some((words, margin.map(|margin| margin.gap), margin.map(|margin| margin.error)))
+        };
+        py.detach(|| Ok(self.hosts(points)?.par_iter().map(one).collect()))
     }
 
     /// Names and values of everything the unit computes for a pair; none if the host decides it.

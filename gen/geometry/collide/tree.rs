@@ -25,11 +25,7 @@ pub struct Tree<'a> {
 impl<'a> Tree<'a> {
     /// Builds the tree, split by the surface area heuristic.
     pub fn new(mesh: &'a Mesh) -> Self {
-        Self::of(mesh, nodes(mesh))
-    }
-
-    fn of(mesh: &'a Mesh, nodes: Vec<Node>) -> Self {
-        let mut tree = Self { mesh, nodes, boxes: Vec::new() };
+        let mut tree = Self { mesh, nodes: nodes(mesh), boxes: Vec::new() };
         tree.boxes = tree.fit(&mesh.vertices().iter().map(|&v| Bounds { min: v, max: v }).collect::<Vec<_>>());
         tree
     }
@@ -149,6 +145,28 @@ struct Family {
     open: [u32; 2],
 }
 
+impl Family {
+    fn of(children: [&Child; 2]) -> Self {
+        let reach = [0, 1, 2].map(|row| [0, 1, 2, 3].map(|lane| children[lane % 2].reach[2 * row + lane / 2]));
+        Self { reach, last: children.map(|child| child.last), open: children.map(|child| child.open) }
+    }
+}
+
+/// What a family knows of one child.
+struct Child {
+    reach: [f32; 6],
+    last: u32,
+    open: u32,
+}
+
+impl Child {
+    /// The same of the family of two.
+    fn beside(&self, other: &Self, family: u32) -> Self {
+        let reach = std::array::from_fn(|side| self.reach[side].max(other.reach[side]));
+        Self { reach, last: self.last.max(other.last), open: family }
+    }
+}
+
 /// Marks a triangle.
 const TRIANGLE: u32 = 1 << 31;
 
@@ -160,39 +178,28 @@ impl Overlaps {
     pub fn new(mesh: &Mesh) -> Self {
         let count = mesh.faces().len();
         assert!(count < TRIANGLE as usize, "expected fewer than 2^31 triangles, found {count}");
-        let Tree { nodes, boxes: of_nodes, .. } = Tree::of(mesh, halves(mesh));
-        let mut boxes = vec![Bounds::empty(); count];
-        let mut last = vec![0; nodes.len()];
-        // Inner nodes become families in their order, so that a child has a greater number than its parent.
-        let (mut open, mut families) = (vec![0; nodes.len()], 0);
-        for (index, node) in nodes.iter().enumerate() {
-            open[index] = match *node {
-                Node::Leaf(triangle) => TRIANGLE | triangle,
-                Node::Inner(_) => {
-                    families += 1;
-                    families - 1
-                }
-            };
-        }
-        for (index, node) in nodes.iter().enumerate().rev() {
-            last[index] = match *node {
+        let nodes = halves(mesh);
+        let none = Family { reach: [[0.0; 4]; 3], last: [0; 2], open: [0; 2] };
+        let (mut boxes, mut families) = (vec![Bounds::empty(); count], vec![none; count.saturating_sub(1)]);
+        // From the last node on, a subtree ends where its root is: what is known of subtrees whose parents are still to come.
+        let (mut known, mut first) = (Vec::<Child>::new(), families.len());
+        for node in nodes.iter().rev() {
+            let child = match *node {
                 Node::Leaf(triangle) => {
-                    boxes[triangle as usize] = of_nodes[index];
-                    triangle
+                    let bounds = Bounds::of(mesh.faces()[triangle as usize].map(|v| &mesh.vertices()[v as usize]));
+                    boxes[triangle as usize] = bounds;
+                    Child { reach: reach(&bounds).map(outward), last: triangle, open: TRIANGLE | triangle }
                 }
-                Node::Inner(right) => last[index + 1].max(last[right as usize]),
+                Node::Inner(_) => {
+                    let [left, right] = [known.pop(), known.pop()].map(|x| x.expect("an inner node has two children"));
+                    first -= 1;
+                    families[first] = Family::of([&left, &right]);
+                    left.beside(&right, first as u32)
+                }
             };
+            known.push(child);
         }
-        let family = |children: [usize; 2]| {
-            let reaches = children.map(|child| reach(&of_nodes[child]).map(outward));
-            let reach = [0, 1, 2].map(|row| [0, 1, 2, 3].map(|lane| reaches[lane % 2][2 * row + lane / 2]));
-            Family { reach, last: children.map(|child| last[child]), open: children.map(|child| open[child]) }
-        };
-        let inner = nodes.iter().enumerate().filter_map(|(index, node)| match *node {
-            Node::Leaf(_) => None,
-            Node::Inner(right) => Some(family([index + 1, right as usize])),
-        });
-        Self { boxes, families: inner.collect() }
+        Self { boxes, families }
     }
 
     /// Calls `visit` with all triangles of a greater number than `triangle` whose boxes overlap its own, in any order.

@@ -179,9 +179,12 @@ def test_designs():
     assert default.verdicts.tolist() == [1, 2, 2] and not default.by_host.any() and not default.outside.any()
     wide = efsat.Design(width=32, axes=17, like_paper=False)
     assert wide.options["width"] == "32" and "--width 32" in wide.command_line
-    reasons = wide.reasons(PAIRS[0])
-    assert len(reasons) == 17 and all(reasons[axis] == "overlaps" for axis in list(reasons)[:11])
-    signs = efsat.Design(method="determinants").reasons(PAIRS[1])
+    tests = wide.tests(PAIRS[0])
+    assert len(tests) == 17 and all(tests[axis] == "overlaps" for axis in list(tests)[:11])
+    for method in ["axes", "determinants"]:
+        decided, *reasons = efsat.Design(method=method).reasons(PAIRS)
+        assert decided is None and all("certain" in reason.words and abs(reason.gap) <= reason.error for reason in reasons)
+    signs = efsat.Design(method="determinants").tests(PAIRS[1])
     assert set(signs.values()) <= {"+", "-", "uncertain"} and "uncertain" in signs.values()
     exact = efsat.Design(method="exact")
     assert exact.classify(PAIRS[:2]).verdicts.tolist() == [1, 1]

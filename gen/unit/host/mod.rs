@@ -26,7 +26,7 @@ mod tests;
 mod whole;
 
 pub use answer::{Answer, Judged, Reference, Relations, Truths, Verdicts};
-pub use loose::loose_pair;
+pub use loose::{loose_pair, loose_pairs};
 #[cfg(feature = "scenes")]
 pub use ready_scene::{ReadyMeeting, ReadyScene};
 pub use scene::{SceneHost, ScenePose};

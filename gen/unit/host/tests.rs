@@ -10,7 +10,7 @@ use num_traits::{One, Signed, Zero};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
-use super::{Host, SceneHost, loose_pair};
+use super::{Host, SceneHost, loose_pair, loose_pairs};
 use crate::golden::Golden;
 use crate::pair::{Input, Pair, Pose, Verdict};
 use crate::params::{Method, Params, Transform};
@@ -304,7 +304,7 @@ fn the_exact_unit_gets_pairs_on_their_own_grid() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
     for (width, transform) in [(6, Transform::Off), (18, Transform::Translate), (32, Transform::Off)] {
         let p = Params { width, transform, ..Params::of(Method::Exact) };
-        let mut fit = 0;
+        let (mut fit, mut hosts, mut given) = (0, vec![], vec![]);
         for round in 0..1500 {
             // Coordinates of few bits at any place, on several grids, and some that no grid holds.
             let bits = rng.random_range(1..=width + 2);
@@ -324,14 +324,15 @@ fn the_exact_unit_gets_pairs_on_their_own_grid() {
                 5 => points = [points[0]; 6],
                 _ => {}
             }
-            fit += i32::from(check_grid(
-                loose_pair(&points, &p).unwrap(),
-                &points.map(|x| x.map(real)),
-                exact::pair(&points).unwrap(),
-                &p,
-            ));
+            let host = loose_pair(&points, &p).unwrap();
+            fit += i32::from(check_grid(host, &points.map(|x| x.map(real)), exact::pair(&points).unwrap(), &p));
+            hosts.push(host);
+            given.push(points);
         }
         assert!((400..1400).contains(&fit), "{fit}");
+        assert_eq!(loose_pairs(&given, &p).unwrap(), hosts);
+        given[700][4][1] = f64::NAN;
+        assert!(loose_pairs(&given, &p).unwrap_err().to_string().starts_with("pair 700: y of b1 is NaN"));
     }
 }
 

@@ -22,7 +22,7 @@ from .manager import CollisionManager
 
 __all__ = [
     "SEPARATE", "TOUCH", "INTERSECT", "POSSIBLY_INCORRECT", "KINDS", "Answers", "Collider", "CollisionManager", "Contacts", "Design",
-    "Engine", "Mesh", "Scene", "classify", "contacts", "kinds", "read_mesh", "retest", "scene", "segments", "self_intersections",
+    "Engine", "Mesh", "Reason", "Scene", "classify", "contacts", "kinds", "read_mesh", "retest", "scene", "segments", "self_intersections",
 ]
 
 #: Exact answers.
@@ -163,6 +163,10 @@ def self_intersections(mesh):
 #: whether the host has decided, because the pair does not fit the unit.
 Answers = _namedtuple("Answers", "verdicts separated overlapping outside by_host")
 
+#: Why a pair is left open, in words; the gap that was measured, and by how much that may be wrong, in units of the last place that is
+#: compared: None for a number outside its range.
+Reason = _namedtuple("Reason", "words gap error")
+
 _AXES = ["n_A", "n_B"] + [f"C_{k}{l}" for k in range(3) for l in range(3)] + [f"n_{t} x e_{t}{k}" for t in "AB" for k in range(3)]
 
 
@@ -200,9 +204,13 @@ class Design:
         """What the unit answers for pairs, both triangles of each in one frame: Answers."""
         return Answers(*self._design.classify(_pairs(pairs)))
 
-    def reasons(self, pair):
-        """Why the unit answers a pair as it does, as one text for each test: a dict of axis to "separates", "overlaps" or "uncertain";
-        of determinants to "+", "-" or "uncertain"."""
+    def reasons(self, pairs):
+        """Why each pair is possibly incorrect, by the test that came nearest to an answer: a list of Reason, None where it is decided."""
+        return [reason and Reason(*reason) for reason in self._design.reasons(_pairs(pairs))]
+
+    def tests(self, pair):
+        """What each test of the unit says of a pair: a dict of axis to "separates", "overlaps" or "uncertain"; of determinants to "+",
+        "-" or "uncertain"."""
         pair = _pairs([pair])
         if self._design.axes == 0:
             sign = lambda low, high: "+" if low > 0 else "-" if high < 0 else "uncertain"

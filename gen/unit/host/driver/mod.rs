@@ -37,7 +37,7 @@ mod tests;
 pub use job::{Job, Meshes, Results, Statistics};
 pub use stand_in::StandIn;
 
-use crate::host::{self, Host, SceneHost};
+use crate::host::{self, SceneHost};
 use crate::pair::{Input, Outcome, Pair, Pose, Verdict};
 use crate::params::{ParamError, Params, Quantity, Transform, Upper};
 use crate::words::{AnswerFields, PacketKind, StreamFormat, StreamReport, StreamWidth, StreamWord, verdict_status};
@@ -273,8 +273,7 @@ impl Driver {
     /// # Errors
     /// The first number that is not finite.
     pub fn loose<'a>(&'a self, pairs: &'a [[[f64; 3]; 6]]) -> Result<Job<'a>, NotFinite> {
-        let one = |(number, points)| host::loose_pair(points, &self.params).map_err(|e: NotFinite| e.of_pair(number));
-        let normalised = pairs.iter().enumerate().map(one).collect::<Result<Vec<Host>, NotFinite>>()?;
+        let normalised = host::loose_pairs(pairs, &self.params)?;
         Ok(Job::new(self, &Pose::identity(&self.params), normalised.into_iter(), job::Geometry::Loose(pairs)))
     }
 
