@@ -108,8 +108,8 @@ fn a_fault_of_memory_is_for_the_engine_that_has_asked() {
         vectors.fault(query.sides[0].blocks_at, kind);
         let of_all = match kind {
             1 | 2 => None,
-            3 => Some(Reason::Memory),
-            _ => Some(Reason::Silent),
+            4 => Some(Reason::Silent),
+            _ => Some(Reason::Memory),
         };
         match of_all {
             None => vectors.query(&Query { number: 1, ..other.clone() }),
