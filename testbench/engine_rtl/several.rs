@@ -40,7 +40,7 @@ fn several_engines_answer_as_one() {
     }
     let itself = (&images[0], vectors.side(0));
     let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
-    // An answer of more words than wait for their turn.
+    // A longer answer.
     let long = numbers.query([itself; 2], &turn(2), &[0.0, 0.0, 0.0]).unwrap();
     vectors.query(&Query { number: 3, all_pairs: true, ..long.clone() });
     vectors.query(&Query { number: 4, all_pairs: true, ..long });
