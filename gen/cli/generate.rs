@@ -255,6 +255,8 @@ struct EngineWritten {
     #[serde(skip_serializing_if = "Option::is_none")]
     clocks_per_expansion: Option<usize>,
     clocks_per_pair: usize,
+    #[serde(skip)]
+    engines: u32,
 }
 
 impl fmt::Display for EngineWritten {
@@ -264,6 +266,9 @@ impl fmt::Display for EngineWritten {
         let there = self.block_rams_of_device;
         writeln!(f, "{multipliers} multipliers ({device} has {all}), {block_rams} block RAMs of 18 kbit ({there})")?;
         writeln!(f, "units pipelined for {} MHz", self.frequency_mhz)?;
+        if self.engines > 1 {
+            write!(f, "each of {} engines: ", self.engines)?;
+        }
         if let Some(clocks) = self.clocks_per_expansion {
             write!(f, "{}, ", pace(clocks).replacen("pair", "expansion", 1))?;
         }
@@ -309,17 +314,19 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     }
     set.write(out)?;
     let device = design.unit.device;
+    let engines = design.params.engines;
     let written = EngineWritten {
         out: out.display().to_string(),
         files: set.len(),
         device: device.name,
-        multipliers: design.multipliers().iter().sum(),
+        multipliers: engines as usize * design.multipliers().iter().sum::<usize>(),
         multipliers_of_device: device.multipliers as usize,
-        block_rams: design.block_rams(),
+        block_rams: u64::from(engines) * design.block_rams(),
         block_rams_of_device: device.block_rams,
         frequency_mhz: design.unit.params.frequency,
         clocks_per_expansion: (!design.by_number).then_some(design.volume.interval),
         clocks_per_pair: design.unit.interval,
+        engines,
     };
     if arguments.json {
         print_json(&written)?
@@ -328,8 +335,8 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     }
     let mut units = vec![&design.unit.top];
     units.extend((!design.by_number).then_some(&design.volume.stage));
-    let units = units.into_iter().map(|module| estimate::whole(module, device));
-    if let Some((kind, used, there)) = units.sum::<Resources>().shortage(&device.capacity) {
+    let units: Resources = units.into_iter().map(|module| estimate::whole(module, device)).sum();
+    if let Some((kind, used, there)) = (0..engines).map(|_| units).sum::<Resources>().shortage(&device.capacity) {
         warn(&format!("{} has {there} {kind}; the units of the design are predicted to take {used}", device.name));
     }
     if written.block_rams > device.block_rams.into() {

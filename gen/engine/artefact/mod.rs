@@ -113,7 +113,8 @@ impl EngineDesign {
         Ok(Self { params: params.clone(), format, unit: Design::new(&unit, false)?, volume, by_number })
     }
 
-    /// The entity that is the top, without a prefix.
+    /// The entity that is the top, without a prefix; for co-simulation.
+    #[doc(hidden)]
     pub fn top(&self) -> &'static str {
         if self.params.engines > 1 { engines::CORE.entity } else { NAME }
     }
