@@ -29,8 +29,6 @@ pub fn loose_pair(points: &Points, params: &Params) -> Result<Host, NotFinite> {
 ///
 /// # Errors
 /// The first number that is not finite.
-// For the command line and the package for Python.
-#[doc(hidden)]
 pub fn loose_pairs(pairs: &[Points], params: &Params) -> Result<Vec<Host>, NotFinite> {
     let (mut hosts, mut left, mut places, mut truths) = (Vec::with_capacity(pairs.len()), vec![], vec![], vec![]);
     for (at, points) in pairs.iter().enumerate() {
