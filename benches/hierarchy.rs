@@ -1,10 +1,9 @@
 //! Speed of the k-DOP hierarchy on two meshes of 20,000 triangles, and a guard: a tumbling turn of 1000 poses must take
-//! less than a minute on the cores at hand. Before, the best times of two trees of 100,352 triangles each, on all cores, and of all
-//! contacts of two headlights that lie deep in each other, on one.
+//! less than a minute on the cores at hand.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use efsat::collide::hierarchy::{Directions, DopTree, Scratch, contacts, pairs, rounded_contacts};
-use efsat::mesh::{Mesh, builtin};
+use efsat::collide::hierarchy::{Directions, DopTree, Scratch, pairs};
+use efsat::mesh::Mesh;
 use efsat::scene::{Pose, Scene};
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -62,53 +61,6 @@ fn query(c: &mut Criterion) {
     group.finish();
 }
 
-/// 2 * 224 * 224 triangles.
-fn torus() -> Mesh {
-    let sides = 224u32;
-    let vertex = |i: u32| {
-        let [u, v] = [i / sides, i % sides].map(|part| std::f64::consts::TAU * f64::from(part) / f64::from(sides));
-        let r = 1.0 + 0.4 * v.cos();
-        Point3::new(r * u.cos(), r * u.sin(), 0.4 * v.sin())
-    };
-    let index = |i: u32, j: u32| i % sides * sides + j % sides;
-    let square = |i: u32| {
-        let (i, j) = (i / sides, i % sides);
-        let [p, q, r, s] = [index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)];
-        [[p, q, r], [p, r, s]]
-    };
-    Mesh::new((0..sides * sides).map(vertex), (0..sides * sides).flat_map(square)).unwrap()
-}
-
-/// The best of some rounds, as other work on the machine comes and goes.
-fn best(rounds: usize, mut round: impl FnMut()) -> f64 {
-    let times = (0..rounds).map(|_| {
-        let start = Instant::now();
-        round();
-        start.elapsed().as_secs_f64()
-    });
-    times.fold(f64::INFINITY, f64::min)
-}
-
-fn large_and_deep(_: &mut Criterion) {
-    let mesh = torus();
-    assert_eq!(mesh.faces().len(), 100_352);
-    let tree = || DopTree::new(black_box(&mesh), Directions::Eighteen).len();
-    let seconds = best(15, || assert_eq!(rayon::join(tree, tree), (100_352, 100_352)));
-    println!("two trees of 100,352 triangles: {:.1} ms", seconds * 1e3);
-    let distances = [1.3, 1.2, 1.1, 1.0, 0.9, 0.8];
-    let scene = Scene::against_itself("deep", Mesh::clone(&builtin("headlight").unwrap()), 7, &distances).unwrap();
-    let mesh = &scene.objects[0].mesh;
-    let tree = DopTree::new(mesh, Directions::Eighteen);
-    let (mut scratch, mut exact, mut rounded) = (Scratch::default(), 0.0, 0.0);
-    for frame in 0..scene.frames() {
-        let (meshes, trees, pose) = ([&**mesh; 2], [&tree; 2], scene.frame(frame).poses[1]);
-        exact += best(9, || drop(black_box(contacts(meshes, trees, &pose, &mut scratch))));
-        rounded += best(9, || drop(black_box(rounded_contacts(meshes, trees, &pose, &mut scratch))));
-    }
-    let [exact, rounded] = [exact, rounded].map(|seconds| seconds * 1e6 / scene.frames() as f64);
-    println!("all contacts of two headlights deep in each other: {exact:.0} us, of rounded corners {rounded:.0} us");
-}
-
 fn turn(_: &mut Criterion) {
     let mesh = bumpy_sphere();
     let poses: Vec<Pose> = poses(&mesh).into_iter().step_by(STEP).collect();
@@ -124,5 +76,5 @@ fn turn(_: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, large_and_deep, turn, query);
+criterion_group!(benches, turn, query);
 criterion_main!(benches);

@@ -176,7 +176,7 @@ impl Found {
 }
 
 /// What answers for a mesh, as the arguments say.
-fn answers(arguments: &Arguments, mesh: &Mesh) -> Result<Answers, Failure> {
+fn answers(arguments: &Arguments, mesh: Mesh) -> Result<Answers, Failure> {
     let Some(width) = arguments.width.or(arguments.grid.map(|_| WIDTH)) else {
         if arguments.pairs.is_some() {
             let message = "--pairs: these are the pairs of the exact unit; expected --grid or --width with it";
@@ -185,22 +185,22 @@ fn answers(arguments: &Arguments, mesh: &Mesh) -> Result<Answers, Failure> {
         return Ok(Answers::Given(Search::new(mesh, arguments.exact)));
     };
     let most = f64::from((1u32 << (width - 1)) - 1);
-    let grid = arguments.grid.or_else(|| Snapped::finest(mesh, most)).ok_or_else(|| {
+    let grid = arguments.grid.or_else(|| Snapped::finest(&mesh, most)).ok_or_else(|| {
         let why = "no power of two is a grid for a mesh as large or as small as this; expected --grid STEP";
         Failure::Usage(format!("{}: {why}", arguments.mesh.display()))
     })?;
-    if Snapped::most(mesh) / grid >= 2f64.powi(53) {
+    if Snapped::most(&mesh) / grid >= 2f64.powi(53) {
         let message = format!("--grid {grid:e}: a coordinate has 2^53 units or more; expected a coarser grid");
         return Err(Failure::Usage(message));
     }
-    Ok(Answers::Grid(Snapped::new(mesh, grid), Params { width, ..Params::of(Method::Exact) }))
+    Ok(Answers::Grid(Snapped::new(&mesh, grid), Params { width, ..Params::of(Method::Exact) }))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = [&arguments.csv, &arguments.pairs, &arguments.picture];
     let (original, findings) = load_mesh(&arguments.mesh)?;
     file::distinct(outputs.into_iter().flatten().map(PathBuf::as_path))?;
-    let answers = answers(arguments, &original)?;
+    let answers = answers(arguments, original)?;
     let [csv, pairs, picture] = outputs.map(|path| path.as_deref().map(Output::new).transpose());
     let (csv, pairs, picture) = (csv?, pairs?, picture?);
     let mesh = answers.mesh();

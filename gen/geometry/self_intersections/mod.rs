@@ -21,6 +21,7 @@ use crate::mesh::Mesh;
 use crate::software::retest::retest_batch;
 use crate::software::robbins_whitesides::is_in_range;
 use rayon::prelude::*;
+use std::borrow::Borrow;
 use std::convert::Infallible;
 
 /// What is wrong with two triangles of a mesh.
@@ -133,9 +134,11 @@ const DEFECTS: usize = 1 << 16;
 const BATCH: usize = 64;
 
 impl Search {
-    /// For a mesh whose coordinates are finite; with `oracle` every answer is compared with that of [`exact::pair`].
-    pub fn new(mesh: &Mesh, oracle: bool) -> Self {
-        let mesh = mesh.welded();
+    /// For a mesh whose coordinates are finite; with `oracle` every answer is compared with that of [`exact::pair`]. A mesh that is given
+    /// away takes no memory from then on.
+    pub fn new(given: impl Borrow<Mesh>, oracle: bool) -> Self {
+        let mesh = Borrow::<Mesh>::borrow(&given).welded();
+        drop(given);
         let overlaps = Overlaps::new(&mesh);
         let in_range = mesh.vertices().iter().map(|&vertex| is_in_range(&vertex.into())).collect();
         Self { mesh, overlaps, in_range, oracle }

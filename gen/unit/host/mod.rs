@@ -26,7 +26,10 @@ mod tests;
 mod whole;
 
 pub use answer::{Answer, Judged, Reference, Relations, Truths, Verdicts};
-pub use loose::{loose_pair, loose_pairs};
+pub use loose::loose_pair;
+// For the command line and the package for Python.
+#[doc(hidden)]
+pub use loose::loose_pairs;
 #[cfg(feature = "scenes")]
 pub use ready_scene::{ReadyMeeting, ReadyScene};
 pub use scene::{SceneHost, ScenePose};
