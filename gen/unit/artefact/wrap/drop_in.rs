@@ -1,7 +1,7 @@
 //! Projects for build tools, and instances to copy.
 
-use crate::artefact::files::file_lists::{BenchFiles, FileLists};
 use super::registers::{SHELL, shell_ports};
+use crate::artefact::files::file_lists::{BenchFiles, FileLists};
 use crate::artefact::{FileSet, Packaging, Prefix, origin};
 use crate::design::Design;
 use crate::params::options::Choice;

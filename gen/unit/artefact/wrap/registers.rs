@@ -153,6 +153,7 @@ struct Bench<'a> {
     places: u32,
     patience: u32,
     first_line: String,
+    reset_reason: &'a str,
     half_period: &'a str,
     memory_signals: &'a str,
     memory_process: &'a str,
@@ -177,7 +178,8 @@ pub fn shell_ports(more: &str) -> Vec<(String, u32)> {
     let lines = lines.chain(more.lines()).chain(["irq : out std_logic;"]);
     let port = |line: &str| {
         let (name, ty) = line.split_once(" : ")?;
-        let high = ty.split_once("std_logic_vector(").and_then(|(_, rest)| rest.split_once(" downto")?.0.parse::<u32>().ok());
+        let high =
+            ty.split_once("std_logic_vector(").and_then(|(_, rest)| rest.split_once(" downto")?.0.parse::<u32>().ok());
         Some((name.trim().to_owned(), high.map_or(1, |high| high + 1)))
     };
     lines.filter_map(port).collect()
@@ -238,7 +240,9 @@ fn refusals() -> Vec<Refusal> {
 /// All registers that there are as a table in Markdown.
 pub fn table() -> String {
     let list = registers::registers(Behind::Engine { by_number: false, caches: true }, 0);
-    let mut text = "| address | register | access | after reset | bits | what it is |\n| --- | --- | --- | ---: | --- | --- |\n".to_owned();
+    let mut text =
+        "| address | register | access | after reset | bits | what it is |\n| --- | --- | --- | ---: | --- | --- |\n"
+            .to_owned();
     for register in &list {
         let reset = match register.name {
             "version" | "parameters" | "core" => "constant".to_owned(),
@@ -339,6 +343,7 @@ impl Shell<'_> {
             places: PLACES,
             patience: PATIENCE,
             first_line: register_script::first_line(self.options),
+            reset_reason: &self.report.1,
             half_period: &self.half_period,
             memory_signals: self.memory[0].trim_end(),
             memory_process: self.memory[1].trim_end(),
@@ -355,9 +360,14 @@ impl Shell<'_> {
         let svd = Description { header, prefix, core, version: env!("CARGO_PKG_VERSION"), registers };
         let files = Self::bench(prefix);
         let [map_file, entity_file, shell_file] = Self::sources(prefix);
-        let (header_file, svd_file) = (format!("host/{prefix}efsat_registers.h"), format!("{prefix}efsat_registers.svd"));
+        let (header_file, svd_file) =
+            (format!("host/{prefix}efsat_registers.h"), format!("{prefix}efsat_registers.svd"));
         let texts = [
-            (&map_file, map.render(), "Where the registers are: addresses, values after reset and fields as VHDL constants."),
+            (
+                &map_file,
+                map.render(),
+                "Where the registers are: addresses, values after reset and fields as VHDL constants.",
+            ),
             (&entity_file, entity.render(), "Registers behind AXI4-Lite, two queues and an interrupt."),
             (&shell_file, around.render(), "The core behind the registers, for a processor without a DMA engine."),
             (&header_file, c.render(), "The registers in C, and functions that send and receive words."),
