@@ -3,18 +3,11 @@
 use crate::artefact::bits::Bits;
 use crate::artefact::check::register_script;
 use crate::artefact::files::core::FileRow;
-use crate::artefact::files::file_lists::BenchFiles;
+use crate::artefact::files::file_lists::FileLists;
 use crate::artefact::{FileSet, Prefix, origin};
 use crate::words::registers::{self, Access, Behind, PLACES};
 use askama::Template;
 use std::fmt::Write;
-
-/// Name of the entity around core and registers, without a prefix.
-pub const SHELL: &str = "efsat_shell";
-/// Name of the testbench entity, without a prefix.
-pub const TESTBENCH: &str = "efsat_registers_tb";
-/// The files that are synthesised, without a prefix, in dependency order; the shell is the last.
-const ENTITIES: [&str; 3] = ["efsat_register_map", "efsat_registers", SHELL];
 
 /// A register as files print it.
 struct Register {
@@ -277,22 +270,6 @@ impl Shell<'_> {
         registers::registers(self.behind, register_script::hash(self.options))
     }
 
-    /// The files that are synthesised, in dependency order.
-    pub fn sources(prefix: &Prefix) -> [String; 3] {
-        ENTITIES.map(|name| format!("{}.vhd", prefix.of(name)))
-    }
-
-    /// The testbench.
-    pub fn bench(prefix: &Prefix) -> BenchFiles {
-        BenchFiles {
-            entity: prefix.of(TESTBENCH),
-            file: format!("{prefix}{TESTBENCH}.vhd"),
-            vectors: format!("{prefix}{TESTBENCH}.vec"),
-            what: "Testbench of the registers",
-            target: "sim_registers",
-        }
-    }
-
     /// Adds all files; what each is.
     pub fn add(&self, set: &mut FileSet) -> Vec<FileRow> {
         let Self { prefix, core, answer_bits, .. } = *self;
@@ -358,8 +335,8 @@ impl Shell<'_> {
             refusals,
         };
         let svd = Description { header, prefix, core, version: env!("CARGO_PKG_VERSION"), registers };
-        let files = Self::bench(prefix);
-        let [map_file, entity_file, shell_file] = Self::sources(prefix);
+        let files = FileLists::registers_bench(prefix);
+        let [map_file, entity_file, shell_file] = FileLists::registers(prefix);
         let (header_file, svd_file) =
             (format!("host/{prefix}efsat_registers.h"), format!("{prefix}efsat_registers.svd"));
         let texts = [
