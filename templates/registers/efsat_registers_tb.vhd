@@ -424,10 +424,12 @@ begin
       recent(7) := came;
       packet := packet + 1;
       if came_last = '1' then
-        -- The blocks and triangles that an engine has read, by its report.
-        if packet >= 8 and recent(0)(1 downto 0) = "11" then
+{%- if has_caches %}
+        -- The blocks and triangles that an engine has read, by its report; that of a soft reset counts nothing.
+        if packet >= 8 and recent(0)(1 downto 0) = "11" and recent(0)(6 downto 2) /= "{{ reset_reason }}" then
           misses := misses + unsigned(recent(4)(63 downto 32)) + unsigned(recent(5)(63 downto 32));
         end if;
+{%- endif %}
         packet := 0;
       end if;
     end procedure receive;

@@ -9,7 +9,6 @@ use efsat_hardware::vhdl::lint::lint;
 use efsat_unit::artefact::file_lists::FileLists;
 use efsat_unit::artefact::{DesignFilesError, FileSet, Prefix};
 use efsat_unit::design::top::pace;
-use efsat_unit::parts::registers::Shell;
 use efsat_unit::parts::{FileRow, Project, RETEST, add_top, board, manifest};
 use efsat_unit::words::PacketKind;
 use serde::Serialize;
@@ -132,7 +131,7 @@ pub fn engine_design_files_with(
     let mut registers = vec![];
     if extras.registers {
         registers = registers::shell(design, prefix, &design.command_line()).add(&mut set);
-        names.extend(Shell::sources(prefix));
+        names.extend(FileLists::registers(prefix));
     }
     let texts: Vec<(&str, &str)> = names.iter().filter_map(|name| Some((name.as_str(), set.get(name)?))).collect();
     if let Some(finding) = lint(&texts).into_iter().next() {
@@ -205,7 +204,7 @@ pub fn engine_design_files_with(
         set.insert(name, text);
     }
     all.push(bench_file);
-    all.extend(extras.registers.then(|| Shell::bench(prefix).file));
+    all.extend(extras.registers.then(|| FileLists::registers_bench(prefix).file));
     set.insert("files.txt", format!("{}\n", all.join("\n")));
     set.insert("README.md", readme(design, prefix, command_line, files, project));
     let text = manifest_of(design, command_line, &set);

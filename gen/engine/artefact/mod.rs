@@ -37,7 +37,10 @@ use efsat_unit::words::PacketKind;
 use values::{Lines, Values};
 use volume::volume_files;
 
-pub use files::{EngineExtras, engine_design_files, engine_design_files_with};
+// For the program and the testbench.
+#[doc(hidden)]
+pub use files::EngineExtras;
+pub use files::{engine_design_files, engine_design_files_with};
 pub use verilog::engine_verilog_files;
 
 /// Name of the entity of the engine, without a prefix.

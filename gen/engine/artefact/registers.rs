@@ -146,7 +146,7 @@ fn script(design: &EngineDesign, behind: Behind, options: &str) -> String {
         }
     };
     let kind = if design.by_number { Command::Numbers } else { Command::Query };
-    let script = Script::new(behind, options);
+    let script = Script::new(behind, options, Some(after_reset()));
     let mut all = Converter { script, packets: 0, pairs: 0, queries: 0, query: kind as u64 };
 
     // Counted from here on, behind what the tests without a core have written.
@@ -163,7 +163,7 @@ fn script(design: &EngineDesign, behind: Behind, options: &str) -> String {
     all.script.reads("last_report", report.words()[0] as u32 & !1);
     all.script.reads("pairs", all.pairs);
     all.script.reads("queries", all.queries);
-    all.script.reads("packets_out", all.packets);
+    all.script.reads("packets_out", all.packets + all.script.answered_resets);
     all.script.reads("packets_in", PLACES / 7 + all.packets);
     if design.params.memory == Memory::Axi {
         all.script.line("K");
@@ -179,7 +179,8 @@ fn script(design: &EngineDesign, behind: Behind, options: &str) -> String {
     // Soft resets: in a part of a packet, while a query runs, with words of it in all places.
     let mut sent = vectors.text().len();
     ask(&mut vectors, &crossing);
-    let one: Vec<String> = vectors.text()[sent..].lines().filter(|line| line.starts_with('I')).map(str::to_owned).collect();
+    let one: Vec<String> =
+        vectors.text()[sent..].lines().filter(|line| line.starts_with('I')).map(str::to_owned).collect();
     let parts = [1, 2, one.len() / 2, one.len() - 1].map(|count| (count, 50));
     let wholes = [0, 150, 700, 1500].map(|clocks| (one.len(), clocks));
     for (i, (count, clocks)) in parts.into_iter().chain(wholes).enumerate() {
@@ -188,8 +189,7 @@ fn script(design: &EngineDesign, behind: Behind, options: &str) -> String {
         if count == 1 {
             all.script.read("status", 1 << 17, 1 << 17);
         }
-        all.script.write("control", 3);
-        all.script.line(&format!("E {:08x}", after_reset()));
+        all.script.soft_reset(true);
         vectors.reset(0, None);
         sent = vectors.text().len();
         test_pairs(&mut vectors, i);

@@ -254,7 +254,12 @@ pub fn registers(behind: Behind, parameters: u32) -> Vec<Register> {
     list.extend([
         Register {
             read_effect: true,
-            ..register("clocks_low", 0x64, Access::Read, "clocks since reset, bits 31..0; keeps the others for `clocks_high`")
+            ..register(
+                "clocks_low",
+                0x64,
+                Access::Read,
+                "clocks since reset, bits 31..0; keeps the others for `clocks_high`",
+            )
         },
         register("clocks_high", 0x68, Access::Read, "bits 63..32, at the last read of `clocks_low`"),
     ]);

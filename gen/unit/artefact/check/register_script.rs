@@ -38,12 +38,17 @@ pub struct Script {
     pub text: String,
     /// Refused accesses so far.
     refused: u32,
+    /// What a core answers to a soft reset: the low half of the first word of its report, if it reports one.
+    reset_report: Option<u32>,
+    /// Soft resets so far that were answered.
+    pub answered_resets: u32,
 }
 
 impl Script {
     /// After reset.
-    pub fn new(behind: Behind, options: &str) -> Self {
-        Self { list: registers(behind, hash(options)), text: first_line(options) + "\n", refused: 0 }
+    pub fn new(behind: Behind, options: &str, reset_report: Option<u32>) -> Self {
+        let (list, text) = (registers(behind, hash(options)), first_line(options) + "\n");
+        Self { list, text, refused: 0, reset_report, answered_resets: 0 }
     }
 
     /// A line.
@@ -94,6 +99,16 @@ impl Script {
     /// Some clocks.
     pub fn pause(&mut self, clocks: u32) {
         self.line(&format!("D {clocks:08x}"));
+    }
+
+    /// A soft reset, which a core may answer, after which it is enabled or not; no event is pending.
+    pub fn soft_reset(&mut self, enable: bool) {
+        self.write("control", 2 | u32::from(enable));
+        if let Some(report) = self.reset_report {
+            self.line(&format!("E {report:08x}"));
+            self.answered_resets += 1;
+        }
+        self.write("pending", !0);
     }
 
     fn irq(&mut self, level: bool) {
@@ -180,10 +195,9 @@ impl Script {
         self.reads("packets_in", PLACES / 7);
         self.write("transmit_low", 5);
         // A soft reset empties it, and reads as 0.
-        self.write("control", 2);
+        self.soft_reset(false);
         self.reads("control", 0);
         self.reads("status", 0);
-        self.write("pending", REFUSED);
     }
 
     /// The interrupts of levels stay pending while their condition holds; the mask alone decides on the pin.
@@ -214,7 +228,7 @@ impl Script {
         self.write("pending", TRANSMIT);
         self.reads("pending", 0);
         self.irq(false);
-        self.write("control", 2);
+        self.soft_reset(false);
         self.reads("pending", TRANSMIT);
         self.irq(true);
         self.write("thresholds", u32::MAX);
@@ -288,7 +302,7 @@ impl Script {
     /// Everything as after power-up.
     pub fn reset(&mut self) {
         self.line("Z");
-        self.refused = 0;
+        (self.refused, self.answered_resets) = (0, 0);
         self.as_after_reset();
         self.irq(false);
     }
@@ -337,7 +351,7 @@ impl Packets<'_> {
 
 /// The file for the unit.
 pub fn unit(p: &Params, format: &StreamFormat, options: &str) -> String {
-    let script = Script::new(Behind::Unit, options);
+    let script = Script::new(Behind::Unit, options, None);
     let unit = StandIn::new(p, format.width).expect("parameters of a design are in their ranges");
     let mut all = Packets { script, format, unit };
     let segments = Stimulus::random(p, 96, 3).segments;
@@ -405,7 +419,7 @@ fn resets(all: &mut Packets<'_>, pairs: &[Pair], pose: &Pose) {
             all.script.pause(100);
             all.script.read("status", 1 << 17, 1 << 17);
         }
-        all.script.write("control", 3);
+        all.script.soft_reset(true);
         all.script.reads("status", 0);
         all.unit.reset();
         all.exchange(&few);
@@ -414,7 +428,7 @@ fn resets(all: &mut Packets<'_>, pairs: &[Pair], pose: &Pose) {
     for clocks in [0, 20, 60, 600] {
         all.send(&few);
         all.script.pause(clocks);
-        all.script.write("control", 3);
+        all.script.soft_reset(true);
         all.unit.reset();
         all.exchange(&few);
     }

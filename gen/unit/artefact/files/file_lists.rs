@@ -1,7 +1,6 @@
 //! The VHDL files of a design by what they are for: every list of files in every project comes from here.
 
 use super::Prefix;
-use crate::artefact::wrap::registers::{SHELL, Shell};
 
 /// A testbench.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,6 +40,26 @@ impl FileLists {
     /// The file that lists what is synthesised.
     pub const SYNTHESISED: &str = "files-synthesis.txt";
 
+    /// The entity around core and registers, without a prefix.
+    pub const SHELL: &str = "efsat_shell";
+
+    /// The files of the registers that are synthesised, in dependency order; the shell is the last.
+    pub fn registers(prefix: &Prefix) -> [String; 3] {
+        ["efsat_register_map", "efsat_registers", Self::SHELL].map(|name| format!("{prefix}{name}.vhd"))
+    }
+
+    /// The testbench of the registers.
+    pub fn registers_bench(prefix: &Prefix) -> BenchFiles {
+        let entity = prefix.of("efsat_registers_tb");
+        BenchFiles {
+            file: format!("{entity}.vhd"),
+            vectors: format!("{entity}.vec"),
+            entity,
+            what: "Testbench of the registers",
+            target: "sim_registers",
+        }
+    }
+
     /// The files of the example.
     pub fn example(prefix: &Prefix) -> [String; 3] {
         ["uart_receiver", "uart_transmitter", "efsat_uart_top"].map(|entity| format!("example/{prefix}{entity}.vhd"))
@@ -70,9 +89,9 @@ impl FileLists {
 
     /// With registers around the wrapper.
     pub fn with_registers(mut self, prefix: &Prefix) -> Self {
-        self.registers = Shell::sources(prefix).into();
-        self.top = prefix.of(SHELL);
-        self.benches.push(Shell::bench(prefix));
+        self.registers = Self::registers(prefix).into();
+        self.top = prefix.of(Self::SHELL);
+        self.benches.push(Self::registers_bench(prefix));
         self
     }
 

@@ -1,7 +1,7 @@
 //! Projects for build tools, and instances to copy.
 
+use super::registers::shell_ports;
 use crate::artefact::files::file_lists::{BenchFiles, FileLists};
-use super::registers::{SHELL, shell_ports};
 use crate::artefact::{FileSet, Packaging, Prefix, origin};
 use crate::design::Design;
 use crate::params::options::Choice;
@@ -124,7 +124,7 @@ fn instances(design: &Design, format: &StreamFormat, packaging: &Packaging) -> V
     let control = ["aclk", "aresetn"].map(|name| (name.to_owned(), 1));
     let wrapper =
         control.into_iter().chain(side("s_axis", format.width.bits())).chain(side("m_axis", format.answer_width()));
-    let shell = packaging.registers.then(|| instance(prefix.of(SHELL), shell_ports("")));
+    let shell = packaging.registers.then(|| instance(prefix.of(FileLists::SHELL), shell_ports("")));
     let wrapper = instance(prefix.of("efsat_stream"), wrapper.collect());
     shell.into_iter().chain([wrapper, instance(prefix.of("efsat"), unit)]).collect()
 }

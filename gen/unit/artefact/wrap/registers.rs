@@ -3,18 +3,11 @@
 use crate::artefact::bits::Bits;
 use crate::artefact::check::register_script;
 use crate::artefact::files::core::FileRow;
-use crate::artefact::files::file_lists::BenchFiles;
+use crate::artefact::files::file_lists::FileLists;
 use crate::artefact::{FileSet, Prefix, origin};
 use crate::words::registers::{self, Access, Behind, PLACES};
 use askama::Template;
 use std::fmt::Write;
-
-/// Name of the entity around core and registers, without a prefix.
-pub const SHELL: &str = "efsat_shell";
-/// Name of the testbench entity, without a prefix.
-pub const TESTBENCH: &str = "efsat_registers_tb";
-/// The files that are synthesised, without a prefix, in dependency order; the shell is the last.
-const ENTITIES: [&str; 3] = ["efsat_register_map", "efsat_registers", SHELL];
 
 /// A register as files print it.
 struct Register {
@@ -153,6 +146,7 @@ struct Bench<'a> {
     places: u32,
     patience: u32,
     first_line: String,
+    reset_reason: &'a str,
     half_period: &'a str,
     memory_signals: &'a str,
     memory_process: &'a str,
@@ -177,7 +171,8 @@ pub fn shell_ports(more: &str) -> Vec<(String, u32)> {
     let lines = lines.chain(more.lines()).chain(["irq : out std_logic;"]);
     let port = |line: &str| {
         let (name, ty) = line.split_once(" : ")?;
-        let high = ty.split_once("std_logic_vector(").and_then(|(_, rest)| rest.split_once(" downto")?.0.parse::<u32>().ok());
+        let high =
+            ty.split_once("std_logic_vector(").and_then(|(_, rest)| rest.split_once(" downto")?.0.parse::<u32>().ok());
         Some((name.trim().to_owned(), high.map_or(1, |high| high + 1)))
     };
     lines.filter_map(port).collect()
@@ -238,7 +233,9 @@ fn refusals() -> Vec<Refusal> {
 /// All registers that there are as a table in Markdown.
 pub fn table() -> String {
     let list = registers::registers(Behind::Engine { by_number: false, caches: true }, 0);
-    let mut text = "| address | register | access | after reset | bits | what it is |\n| --- | --- | --- | ---: | --- | --- |\n".to_owned();
+    let mut text =
+        "| address | register | access | after reset | bits | what it is |\n| --- | --- | --- | ---: | --- | --- |\n"
+            .to_owned();
     for register in &list {
         let reset = match register.name {
             "version" | "parameters" | "core" => "constant".to_owned(),
@@ -271,22 +268,6 @@ impl Shell<'_> {
     /// The registers.
     pub fn registers(&self) -> Vec<registers::Register> {
         registers::registers(self.behind, register_script::hash(self.options))
-    }
-
-    /// The files that are synthesised, in dependency order.
-    pub fn sources(prefix: &Prefix) -> [String; 3] {
-        ENTITIES.map(|name| format!("{}.vhd", prefix.of(name)))
-    }
-
-    /// The testbench.
-    pub fn bench(prefix: &Prefix) -> BenchFiles {
-        BenchFiles {
-            entity: prefix.of(TESTBENCH),
-            file: format!("{prefix}{TESTBENCH}.vhd"),
-            vectors: format!("{prefix}{TESTBENCH}.vec"),
-            what: "Testbench of the registers",
-            target: "sim_registers",
-        }
     }
 
     /// Adds all files; what each is.
@@ -339,6 +320,7 @@ impl Shell<'_> {
             places: PLACES,
             patience: PATIENCE,
             first_line: register_script::first_line(self.options),
+            reset_reason: &self.report.1,
             half_period: &self.half_period,
             memory_signals: self.memory[0].trim_end(),
             memory_process: self.memory[1].trim_end(),
@@ -353,11 +335,16 @@ impl Shell<'_> {
             refusals,
         };
         let svd = Description { header, prefix, core, version: env!("CARGO_PKG_VERSION"), registers };
-        let files = Self::bench(prefix);
-        let [map_file, entity_file, shell_file] = Self::sources(prefix);
-        let (header_file, svd_file) = (format!("host/{prefix}efsat_registers.h"), format!("{prefix}efsat_registers.svd"));
+        let files = FileLists::registers_bench(prefix);
+        let [map_file, entity_file, shell_file] = FileLists::registers(prefix);
+        let (header_file, svd_file) =
+            (format!("host/{prefix}efsat_registers.h"), format!("{prefix}efsat_registers.svd"));
         let texts = [
-            (&map_file, map.render(), "Where the registers are: addresses, values after reset and fields as VHDL constants."),
+            (
+                &map_file,
+                map.render(),
+                "Where the registers are: addresses, values after reset and fields as VHDL constants.",
+            ),
             (&entity_file, entity.render(), "Registers behind AXI4-Lite, two queues and an interrupt."),
             (&shell_file, around.render(), "The core behind the registers, for a processor without a DMA engine."),
             (&header_file, c.render(), "The registers in C, and functions that send and receive words."),

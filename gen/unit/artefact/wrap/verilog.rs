@@ -1,7 +1,6 @@
 //! The design in Verilog, for tools that read no VHDL: which file is made of which. Who has GHDL makes them.
 
 use super::board;
-use super::registers::{SHELL, Shell};
 use crate::artefact::VerilogFile;
 use crate::artefact::files::core::Core;
 use crate::artefact::files::file_lists::FileLists;
@@ -22,8 +21,8 @@ pub fn verilog_of(set: &FileSet, core: &Core, around: Option<VerilogFile>, prefi
         let sources = sources.iter().cloned().chain(around.sources).collect();
         VerilogFile { sources, ..around }
     });
-    let has_registers = set.get(&Shell::sources(prefix)[2]).is_some();
-    let top = prefix.of(if has_registers { SHELL } else { core.entity });
+    let has_registers = set.get(&FileLists::registers(prefix)[2]).is_some();
+    let top = prefix.of(if has_registers { FileLists::SHELL } else { core.entity });
     let core = VerilogFile { name: prefix.of(core.verilog), top, sources, without: None };
     [Some(core), around].into_iter().flatten().collect()
 }

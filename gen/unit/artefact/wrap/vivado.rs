@@ -62,7 +62,18 @@ pub(in crate::artefact) fn add(
     let name = core_name(&design.params, packaging).rsplit(':').next().unwrap_or_default().replace('-', "_");
     let ip_version = env!("CARGO_PKG_VERSION").split('.').take(2).collect::<Vec<_>>().join(".");
     let (family, interval) = (device.family.to_lowercase(), design.interval);
-    let ip = PackageIp { header, top, has_registers: packaging.registers, part, family, name, ip_version, interval, command_line, sources };
+    let ip = PackageIp {
+        header,
+        top,
+        has_registers: packaging.registers,
+        part,
+        family,
+        name,
+        ip_version,
+        interval,
+        command_line,
+        sources,
+    };
     let texts = [
         ("project.tcl".to_owned(), Script { header, prefix, top, part, sources }.render()),
         (prefix.of("efsat.xdc"), Constraints { header, period }.render()),
