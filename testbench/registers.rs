@@ -57,7 +57,7 @@ fn the_unit_answers_a_processor_as_the_reference_model() {
         Params { transform_width: 33, tag_width: 40, transform: Transform::Translate, upper: Upper::Sticky, ..tiny() };
     let bare = Params { transform: Transform::Off, tag_width: 0, ..tiny() };
     let determinants = Params { method: Method::Determinants, ..tiny() };
-    let wrong: Vec<String> = [tiny(), Params { tag_width: 34, ..wide }, bare, determinants]
+    let wrong: Vec<String> = share(4, [tiny(), Params { tag_width: 34, ..wide }, bare, determinants])
         .par_iter()
         .filter_map(|params| {
             let report = said(&bench(ghdl(), &unit(params))?, &[]);
@@ -71,7 +71,7 @@ fn the_unit_answers_a_processor_as_the_reference_model() {
 fn the_engine_answers_a_processor_as_the_reference_model() {
     let narrow = EngineParams { axi_id_bits: 4, memory_width: 32, ..axi() };
     let cases = [(axi(), false), (narrow, false), (block_ram(), false), (axi(), true)];
-    let wrong: Vec<String> = share(2, cases)
+    let wrong: Vec<String> = share(4, cases)
         .par_iter()
         .filter_map(|(params, by_number)| {
             let make = if *by_number { EngineDesign::by_number } else { EngineDesign::new };
@@ -120,7 +120,7 @@ fn mistakes_in_the_registers_are_noticed() {
     let Some(right) = bench(ghdl(), &files) else { return };
     assert!(fine(&said(&right, &PASS)));
     let text = files.get("efsat_registers.vhd").unwrap();
-    let unnoticed: Vec<&str> = share(4, MISTAKES)
+    let unnoticed: Vec<&str> = share(8, MISTAKES)
         .par_iter()
         .filter_map(|(from, to)| {
             let mut wrong = files.clone();

@@ -54,7 +54,7 @@ architecture simulation of {{ prefix }}efsat_registers_tb is
   signal awvalid : std_logic := '0';
   signal awready : std_logic;
   signal wdata : register_word := (others => 'X');
-  signal wstrb : std_logic_vector(3 downto 0) := "XXXX";
+  signal wstrb : std_logic_vector(3 downto 0) := (others => 'X');
   signal wvalid : std_logic := '0';
   signal wready : std_logic;
   signal bresp : std_logic_vector(1 downto 0);
@@ -299,7 +299,7 @@ begin
           word_taken := true;
           wvalid <= '0';
           wdata <= (others => 'X');
-          wstrb <= "XXXX";
+          wstrb <= (others => 'X');
         end if;
         exit when address_taken and word_taken;
         if clocks > 64 then

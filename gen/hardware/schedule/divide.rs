@@ -188,8 +188,8 @@ impl Division<'_> {
     /// A word in a type, its lowest bits and the others.
     fn halves(&mut self, x: NodeId, ty: Type, k: u32, of: &Place, name: &str) -> [NodeId; 2] {
         let ty = Type { fraction: self.ty(x).fraction, ..ty };
-        let x = if self.ty(x) == ty { x } else { self.push(Resize(ty), &[x], of, &join(name, "resized")) };
-        [self.push(LowBits(k), &[x], of, &join(name, "lowest")), self.push(Floor(k), &[x], of, &join(name, "others"))]
+        let x = if self.ty(x) == ty { x } else { self.push(Resize(ty), &[x], of, &join(name, "wide")) };
+        [self.push(LowBits(k), &[x], of, &join(name, "low")), self.push(Floor(k), &[x], of, &join(name, "rest"))]
     }
 
     fn sum(&mut self, op: &Comb, kind: Parts, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
@@ -197,8 +197,8 @@ impl Division<'_> {
         let minus = kind == Parts::Difference;
         let make = |bits: Option<u32>| -> Comb { if minus { Subtract(bits).into() } else { Add(bits).into() } };
         let k = self.lowest(to.bits, |k| self.fits(&make(None), &[Type::unsigned(k); 2]))?;
-        let [[a_low, a], [b_low, b]] = [(args[0], "first"), (args[1], "second")]
-            .map(|(x, operand)| self.halves(x, to, k, of, &join(name, operand)));
+        let [[a_low, a], [b_low, b]] =
+            [(args[0], "a"), (args[1], "b")].map(|(x, operand)| self.halves(x, to, k, of, &join(name, operand)));
         let low = self.push(make(None), &[a_low, b_low], of, &join(name, "low"));
         let carry = if minus {
             self.push(SignBit, &[low], of, &join(name, "carry"))
@@ -207,8 +207,8 @@ impl Division<'_> {
             self.push(Resize(Type::FLAG), &[bit], of, &join(name, "carry_flag"))
         };
         let ones = self.push(Constant(i128::from(!minus), Type::FLAG), &[], of, &join(name, "one"));
-        let a = self.push(Concatenate, &[ones, a], of, &join(name, "first_above"));
-        let b = self.push(Concatenate, &[carry, b], of, &join(name, "second_above"));
+        let a = self.push(Concatenate, &[ones, a], of, &join(name, "a_up"));
+        let b = self.push(Concatenate, &[carry, b], of, &join(name, "b_up"));
         let high = self.part(make(Some(to.bits - k + 1)), &[a, b], of, &join(name, "high"));
         Some(self.joined(low, high, k, of, name))
     }
@@ -226,41 +226,41 @@ impl Division<'_> {
             let minus = self.part(Negate(Some(ty.bits)).into(), &[x], of, &join(name, "minus"));
             return Some(self.push(Select(None), &[flag, x, minus], of, &join(name, "whole")));
         };
-        let [x_low, x] = self.halves(x, ty, k, of, &join(name, "operand"));
+        let [x_low, x] = self.halves(x, ty, k, of, &join(name, "x"));
         let signed = Type { signed: true, bits: k + 1, ..self.ty(x_low) };
         let positive = self.push(Resize(signed), &[x_low], of, &join(name, "positive"));
         let low = self.push(NegateIf, &[flag, positive], of, &join(name, "low"));
         let carry = self.part(OrReduce.into(), &[x_low], of, &join(name, "carry"));
-        let above = self.push(Concatenate, &[carry, x], of, &join(name, "above"));
+        let above = self.push(Concatenate, &[carry, x], of, &join(name, "up"));
         let high = self.part(NegateIf.into(), &[flag, above], of, &join(name, "high"));
         Some(self.joined(low, high, k, of, name))
     }
 
     /// The lowest bits of one part, and the other without its carry.
     fn joined(&mut self, low: NodeId, high: NodeId, k: u32, of: &Place, name: &str) -> NodeId {
-        let low = self.push(LowBits(k), &[low], of, &join(name, "low_bits"));
-        let high = self.push(Floor(1), &[high], of, &join(name, "high_bits"));
+        let low = self.push(LowBits(k), &[low], of, &join(name, "sum_low"));
+        let high = self.push(Floor(1), &[high], of, &join(name, "sum_high"));
         self.push(Concatenate, &[low, high], of, &join(name, "whole"))
     }
 
     fn less(&mut self, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
         let ty = Type::joint(&args.map(|a| self.ty(a))).expect("it was made before");
         let k = self.lowest(ty.bits, |k| self.fits(&Subtract(None).into(), &[Type::unsigned(k); 2]))?;
-        let [[a_low, a], [b_low, b]] = [(args[0], "first"), (args[1], "second")]
-            .map(|(x, operand)| self.halves(x, ty, k, of, &join(name, operand)));
+        let [[a_low, a], [b_low, b]] =
+            [(args[0], "a"), (args[1], "b")].map(|(x, operand)| self.halves(x, ty, k, of, &join(name, operand)));
         let low = self.push(Subtract(None), &[a_low, b_low], of, &join(name, "low"));
         let borrow = self.push(SignBit, &[low], of, &join(name, "borrow"));
         let zero = self.push(Constant(0, Type::FLAG), &[], of, &join(name, "zero"));
-        let a = self.push(Concatenate, &[zero, a], of, &join(name, "first_above"));
-        let b = self.push(Concatenate, &[borrow, b], of, &join(name, "second_above"));
+        let a = self.push(Concatenate, &[zero, a], of, &join(name, "a_up"));
+        let b = self.push(Concatenate, &[borrow, b], of, &join(name, "b_up"));
         Some(self.part(Less.into(), &[a, b], of, &join(name, "high")))
     }
 
     fn equal(&mut self, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
         let ty = Type::joint(&args.map(|a| self.ty(a))).expect("it was made before");
         let k = self.lowest(ty.bits, |k| self.fits(&Equal.into(), &[Type::unsigned(k); 2]))?;
-        let [[a_low, a], [b_low, b]] = [(args[0], "first"), (args[1], "second")]
-            .map(|(x, operand)| self.halves(x, ty, k, of, &join(name, operand)));
+        let [[a_low, a], [b_low, b]] =
+            [(args[0], "a"), (args[1], "b")].map(|(x, operand)| self.halves(x, ty, k, of, &join(name, operand)));
         let low = self.push(Equal, &[a_low, b_low], of, &join(name, "low"));
         let high = self.part(Equal.into(), &[a, b], of, &join(name, "high"));
         Some(self.push(And, &[low, high], of, &join(name, "whole")))
@@ -288,14 +288,18 @@ impl Division<'_> {
     fn any(&mut self, x: NodeId, of: &Place, name: &str) -> Option<NodeId> {
         let ty = self.ty(x);
         let k = self.lowest(ty.bits, |k| self.fits(&OrReduce.into(), &[Type::unsigned(k)]))?;
-        let [x_low, x] = self.halves(x, ty, k, of, &join(name, "operand"));
+        let [x_low, x] = self.halves(x, ty, k, of, &join(name, "x"));
         let low = self.push(OrReduce, &[x_low], of, &join(name, "low"));
         let high = self.part(OrReduce.into(), &[x], of, &join(name, "high"));
         Some(self.push(Or, &[low, high], of, &join(name, "whole")))
     }
 }
 
-/// The name of a part of a part.
+/// The name of a part of a part: `high2` is the upper part of `high`.
 fn join(name: &str, part: &str) -> String {
-    if name.is_empty() { part.to_owned() } else { format!("{name}_{part}") }
+    match name.strip_prefix("high").map(|level| level.parse::<u32>().unwrap_or(1)) {
+        Some(level) if part == "high" => format!("high{}", level + 1),
+        _ if name.is_empty() => part.to_owned(),
+        _ => format!("{name}_{part}"),
+    }
 }

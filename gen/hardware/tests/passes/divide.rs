@@ -103,31 +103,31 @@ fn a_sum_in_two_parts() {
     let (_, text) = files.into_iter().find(|file| file.0 == "sample").expect("an entity of that name");
     expect![[r#"
         architecture rtl of sample is
-          signal y_first_resized : signed(75 downto 0);  -- s76.0; |.| <= 18889465931478580854784
-          signal y_second_resized : signed(75 downto 0);  -- s76.0; |.| <= 18889465931478580854784
+          signal y_a_wide : signed(75 downto 0);  -- s76.0; |.| <= 18889465931478580854784
+          signal y_b_wide : signed(75 downto 0);  -- s76.0; |.| <= 18889465931478580854784
           signal y_low : unsigned(38 downto 0);
-          signal y_first_above_h1 : signed(38 downto 0) := (others => '0');  -- |.| <= 137438953471
-          signal y_second_above_h1 : signed(38 downto 0) := (others => '0');  -- |.| <= 137438953472
+          signal y_a_up_h1 : signed(38 downto 0) := (others => '0');  -- |.| <= 137438953471
+          signal y_b_up_h1 : signed(38 downto 0) := (others => '0');  -- |.| <= 137438953472
           signal y_high : signed(38 downto 0);  -- |.| <= 274877906943
-          signal y_low_bits_h1 : unsigned(37 downto 0) := (others => '0');
+          signal y_sum_low_h1 : unsigned(37 downto 0) := (others => '0');
           signal y_i : signed(75 downto 0);  -- s76.0; |.| <= 37778931862957161709568
         begin
           -- Clock 0
-          y_first_resized <= resize(signed(a), 76);
-          y_second_resized <= resize(signed(b), 76);
-          y_low <= resize(unsigned(y_first_resized(37 downto 0)), 39) + resize(unsigned(y_second_resized(37 downto 0)), 39);
+          y_a_wide <= resize(signed(a), 76);
+          y_b_wide <= resize(signed(b), 76);
+          y_low <= resize(unsigned(y_a_wide(37 downto 0)), 39) + resize(unsigned(y_b_wide(37 downto 0)), 39);
 
           -- Clock 1
           clock_1 : process (clk)
           begin
             if rising_edge(clk) then
-              y_first_above_h1 <= y_first_resized(75 downto 38) & '1';
-              y_second_above_h1 <= y_second_resized(75 downto 38) & y_low(38);
-              y_low_bits_h1 <= y_low(37 downto 0);
+              y_a_up_h1 <= y_a_wide(75 downto 38) & '1';
+              y_b_up_h1 <= y_b_wide(75 downto 38) & y_low(38);
+              y_sum_low_h1 <= y_low(37 downto 0);
             end if;
           end process clock_1;
-          y_high <= y_first_above_h1 + y_second_above_h1;
-          y_i <= y_high(38 downto 1) & signed(y_low_bits_h1);
+          y_high <= y_a_up_h1 + y_b_up_h1;
+          y_i <= y_high(38 downto 1) & signed(y_sum_low_h1);
 
           -- Outputs
           y <= std_logic_vector(y_i);
