@@ -232,9 +232,14 @@ impl Operand {
             std::cmp::Ordering::Equal => value,
             std::cmp::Ordering::Greater => Expression::call("resize", [value, bits]),
         };
+        // What is converted has no type of its own where parts are joined: vectors of words are joined by the same sign.
+        let whole = |name, sized: Expression| match &sized {
+            Expression::Binary(_, "&", _) => Expression::call(name, [sized]),
+            _ => sized,
+        };
         match (self.ty.signed, to.signed) {
-            (false, true) => Expression::call("signed", [sized]),
-            (true, false) => Expression::call("unsigned", [sized]),
+            (false, true) => Expression::call("signed", [whole("unsigned'", sized)]),
+            (true, false) => Expression::call("unsigned", [whole("signed'", sized)]),
             _ => sized,
         }
     }

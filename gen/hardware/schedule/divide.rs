@@ -157,7 +157,8 @@ impl Division<'_> {
     fn lowest(&self, bits: u32, holds: impl Fn(u32) -> bool) -> Option<u32> {
         let most = (LEAST..bits).rev().find(|k| holds(*k))?;
         let more = (bits - most).div_ceil(most.saturating_sub(1).max(1));
-        Some(bits.div_ceil(more + 1).max(LEAST).min(most))
+        // One bit alone would be a flag.
+        Some(bits.div_ceil(more + 1).max(LEAST).min(most).min(bits - 2))
     }
 
     /// The value of an operation, in as many parts as it takes.
@@ -171,11 +172,10 @@ impl Division<'_> {
                 let to = op.result(&types).expect("it was made before");
                 self.negated(args[0], to.bits, of, name)
             }
-            Parts::Signed => self.negation(args[0], args[1], of, name),
+            Parts::Signed => self.negation(args[0], args[1], true, of, name),
             Parts::Magnitude => {
                 let sign = self.push(SignBit, args, of, &join(name, "sign"));
-                let value = self.negation(sign, args[0], of, name)?;
-                Some(self.push(Resize(Type { signed: false, ..types[0] }), &[value], of, whole))
+                self.negation(sign, args[0], false, of, name)
             }
             Parts::Less => self.less([args[0], args[1]], of, name),
             Parts::Equal => self.equal([args[0], args[1]], of, name),
@@ -210,7 +210,7 @@ impl Division<'_> {
         let a = self.push(Concatenate, &[ones, a], of, &join(name, "a_up"));
         let b = self.push(Concatenate, &[carry, b], of, &join(name, "b_up"));
         let high = self.part(make(Some(to.bits - k + 1)), &[a, b], of, &join(name, "high"));
-        Some(self.joined(low, high, k, of, name))
+        Some(self.joined(low, high, k, to.signed, of, name))
     }
 
     fn negated(&mut self, x: NodeId, bits: u32, of: &Place, name: &str) -> Option<NodeId> {
@@ -219,12 +219,14 @@ impl Division<'_> {
     }
 
     /// Negated under a flag; where a clock does not hold the choice in front of a chain, chosen behind it.
-    fn negation(&mut self, flag: NodeId, x: NodeId, of: &Place, name: &str) -> Option<NodeId> {
+    fn negation(&mut self, flag: NodeId, x: NodeId, keeps_sign: bool, of: &Place, name: &str) -> Option<NodeId> {
         let ty = self.ty(x);
         let holds = |k| self.fits(&NegateIf.into(), &[Type::FLAG, Type::signed(k + 1, 0)]);
         let Some(k) = self.lowest(ty.bits, holds) else {
             let minus = self.part(Negate(Some(ty.bits)).into(), &[x], of, &join(name, "minus"));
-            return Some(self.push(Select(None), &[flag, x, minus], of, &join(name, "whole")));
+            let chosen = self.push(Select(None), &[flag, x, minus], of, &join(name, "chosen"));
+            let ty = Type { signed: keeps_sign, ..ty };
+            return Some(if keeps_sign { chosen } else { self.push(Resize(ty), &[chosen], of, &join(name, "whole")) });
         };
         let [x_low, x] = self.halves(x, ty, k, of, &join(name, "x"));
         let signed = Type { signed: true, bits: k + 1, ..self.ty(x_low) };
@@ -233,13 +235,17 @@ impl Division<'_> {
         let carry = self.part(OrReduce.into(), &[x_low], of, &join(name, "carry"));
         let above = self.push(Concatenate, &[carry, x], of, &join(name, "up"));
         let high = self.part(NegateIf.into(), &[flag, above], of, &join(name, "high"));
-        Some(self.joined(low, high, k, of, name))
+        Some(self.joined(low, high, k, keeps_sign, of, name))
     }
 
     /// The lowest bits of one part, and the other without its carry.
-    fn joined(&mut self, low: NodeId, high: NodeId, k: u32, of: &Place, name: &str) -> NodeId {
+    fn joined(&mut self, low: NodeId, high: NodeId, k: u32, signed: bool, of: &Place, name: &str) -> NodeId {
         let low = self.push(LowBits(k), &[low], of, &join(name, "sum_low"));
-        let high = self.push(Floor(1), &[high], of, &join(name, "sum_high"));
+        let mut high = self.push(Floor(1), &[high], of, &join(name, "sum_high"));
+        let ty = Type { signed, ..self.ty(high) };
+        if ty != self.ty(high) {
+            high = self.push(Resize(ty), &[high], of, &join(name, "sum_top"));
+        }
         self.push(Concatenate, &[low, high], of, &join(name, "whole"))
     }
 

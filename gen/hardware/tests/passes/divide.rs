@@ -5,23 +5,24 @@ use efsat_hardware::graph::Signals;
 use efsat_hardware::graph::evaluate::Evaluator;
 use efsat_hardware::netlist::simulate::Simulation;
 use efsat_hardware::op::{Add, Equal, Less, Magnitude, Negate, NegateIf, OrReduce, Select, Subtract};
-use efsat_hardware::vhdl;
+use efsat_hardware::{testing, tools, vhdl};
 use expect_test::expect;
+use std::process::Command;
 
 type Make = for<'l> fn(&[Sig<'l>; 3]) -> Sig<'l>;
 
 /// Of two wide numbers and an index.
 const MADE: [(&str, Make); 11] = [
-    ("sum", |[a, b, _]| a.apply(Add(None), &[*b])),
+    ("a_plus_b", |[a, b, _]| a.apply(Add(None), &[*b])),
     ("cut_sum", |[a, b, _]| a.floor(1).apply(Add(Some(WIDE.bits)), &[b.floor(1)])),
     ("mixed_sum", |[a, b, _]| a.apply(Add(None), &[b.low(40)])),
-    ("difference", |[a, b, _]| a.apply(Subtract(None), &[*b])),
-    ("negated", |[a, ..]| a.apply(Negate(None), &[])),
-    ("signed", |[a, b, _]| b.negative().apply(NegateIf, &[*a])),
-    ("magnitude", |[a, ..]| a.apply(Magnitude, &[])),
-    ("less", |[a, b, _]| a.apply(Less, &[*b])),
-    ("equal", |[a, b, _]| a.apply(Equal, &[*b])),
-    ("any", |[a, b, _]| (*a - *b).low(60).apply(OrReduce, &[])),
+    ("a_minus_b", |[a, b, _]| a.apply(Subtract(None), &[*b])),
+    ("minus_a", |[a, ..]| a.apply(Negate(None), &[])),
+    ("under_flag", |[a, b, _]| b.negative().apply(NegateIf, &[*a])),
+    ("size_of_a", |[a, ..]| a.apply(Magnitude, &[])),
+    ("is_less", |[a, b, _]| a.apply(Less, &[*b])),
+    ("is_equal", |[a, b, _]| a.apply(Equal, &[*b])),
+    ("is_any", |[a, b, _]| (*a - *b).low(60).apply(OrReduce, &[])),
     ("chosen", |[a, b, index]| {
         index
             .apply(Select::default(), &[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].map(|k| if k == 4 { *b } else { a.like(k) }))
@@ -69,6 +70,27 @@ fn parts_make_the_whole() {
                     assert_eq!(found, expected, "{name} of {inputs:?}, {device}, {megahertz} MHz");
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn ghdl_takes_the_parts() {
+    let Some(tool) = tools::ghdl(true) else { return testing::skip("GHDL is not installed") };
+    for device in device::names() {
+        for megahertz in [150, 200, 250] {
+            let folder = tempfile::tempdir().expect("a folder");
+            let module = lowered_for(device, &made(), megahertz).0;
+            let files = vhdl::print(&module, "", "sample_types", &[]).expect("legal names");
+            let text: String = files.into_iter().map(|(_, text)| text + "\n").collect();
+            std::fs::write(folder.path().join("sample.vhd"), text).expect("a file");
+            let output = Command::new(&tool.path)
+                .args(["-a", "--std=93", "sample.vhd"])
+                .current_dir(&folder)
+                .output()
+                .expect("GHDL");
+            let said = String::from_utf8_lossy(&output.stderr);
+            assert!(output.status.success(), "{device}, {megahertz} MHz: {said}");
         }
     }
 }
@@ -131,5 +153,6 @@ fn a_sum_in_two_parts() {
 
           -- Outputs
           y <= std_logic_vector(y_i);
-        end architecture rtl;"#]].assert_eq(&text[text.find("architecture").expect("a body")..]);
+        end architecture rtl;"#]]
+    .assert_eq(&text[text.find("architecture").expect("a body")..]);
 }
