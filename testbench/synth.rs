@@ -225,7 +225,7 @@ fn predictions_need_no_tools() {
 #[test]
 fn wrong_options_are_told() {
     let cases = [
-        ("synth --flow quartus", "expected one of yosys-xc2v, yosys-xc6s, yosys-xc7, ecp5"),
+        ("synth --flow quartus", "expected one of yosys-xc2v, yosys-xc6s, yosys-xc7, yosys-xcup, ecp5"),
         ("synth --flow yosys-xc7 --seeds 3", "--seeds: flow yosys-xc7 ends after Yosys"),
         ("synth --predict --keep x", "'--predict' cannot be used with '--keep <DIR>'"),
         ("synth --minutes 3", "--minutes: flow yosys-xc2v ends after Yosys; expected --flow ecp5"),

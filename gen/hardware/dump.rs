@@ -95,7 +95,7 @@ fn operation(block: &Block, i: usize, labels: &[String]) -> String {
 /// # });
 /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
 /// assert!(dump::schedule(&schedule).starts_with("schedule of square: latency 1 clock, 1 phase\n"));
-/// # Ok::<(), device::UnknownDevice>(())
+/// # Ok::<(), device::DeviceError>(())
 /// ```
 pub fn schedule(schedule: &Schedule) -> String {
     let block = &schedule.block;
@@ -155,7 +155,7 @@ pub fn schedule(schedule: &Schedule) -> String {
 /// let mut scheduler = Scheduler::new(device, 100);
 /// let (module, _) = Lowering::new(&mut scheduler, device).lower(&block, false);
 /// assert!(dump::module(&module).contains("Register of Multiply x, x"));
-/// # Ok::<(), device::UnknownDevice>(())
+/// # Ok::<(), device::DeviceError>(())
 /// ```
 pub fn module(module: &Module) -> String {
     let labels = labels(module.signals.iter().map(|signal| signal.name()));

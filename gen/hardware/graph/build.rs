@@ -201,7 +201,7 @@ impl<'l> Top<'l> {
     /// let block = library.block("held", &[], 4, |top| (-top.input_until(NUMBER, (0, 9), 1).named("x")).named("y"));
     /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
     /// assert_eq!(schedule.slots[0].until, 3);
-    /// # Ok::<(), device::UnknownDevice>(())
+    /// # Ok::<(), device::DeviceError>(())
     /// ```
     pub fn input_until(self, ty: Type, range: Range, early: usize) -> Sig<'l> {
         let input = self.input(ty, range);

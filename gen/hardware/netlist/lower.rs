@@ -66,7 +66,7 @@ impl<'a> Lowering<'a> {
     /// let mut scheduler = Scheduler::new(device, 100);
     /// let (module, _) = Lowering::new(&mut scheduler, device).lower(&block, false);
     /// assert_eq!(module.register_bits(), 32);
-    /// # Ok::<(), device::UnknownDevice>(())
+    /// # Ok::<(), device::DeviceError>(())
     /// ```
     pub fn new(scheduler: &'a mut Scheduler, device: &'static Device) -> Self {
         Self { scheduler, device, done: HashMap::new(), lines: HashMap::new() }
@@ -85,7 +85,7 @@ impl<'a> Lowering<'a> {
     /// let mut scheduler = Scheduler::new(device, 100);
     /// let (module, probes) = Lowering::new(&mut scheduler, device).lower(&block, true);
     /// assert_eq!((module.latency, probes.len()), (Some(1), 0));
-    /// # Ok::<(), device::UnknownDevice>(())
+    /// # Ok::<(), device::DeviceError>(())
     /// ```
     pub fn lower(&mut self, block: &Rc<Block>, probed: bool) -> (Rc<Module>, Vec<Probe>) {
         let schedule = self.scheduler.schedule(block);

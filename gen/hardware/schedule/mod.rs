@@ -94,7 +94,7 @@ impl Schedule {
     /// # });
     /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
     /// assert_eq!(schedule.hierarchy().len(), 1);
-    /// # Ok::<(), device::UnknownDevice>(())
+    /// # Ok::<(), device::DeviceError>(())
     /// ```
     pub fn hierarchy(self: &Rc<Self>) -> Vec<(Rc<Schedule>, usize)> {
         fn visit(schedule: &Rc<Schedule>, all: &mut Vec<(Rc<Schedule>, usize)>) {
@@ -120,7 +120,7 @@ impl Schedule {
     /// # });
     /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
     /// assert_eq!(schedule.lag_clocks(), 0, "no late phases");
-    /// # Ok::<(), device::UnknownDevice>(())
+    /// # Ok::<(), device::DeviceError>(())
     /// ```
     pub fn lag_clocks(&self) -> i32 {
         self.lag * self.block.interval as i32
@@ -149,7 +149,7 @@ impl Scheduler {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// assert_eq!(Scheduler::new(device::find("xc2v6000-4")?, 100).period(), 10.0);
-    /// # Ok::<(), device::UnknownDevice>(())
+    /// # Ok::<(), device::DeviceError>(())
     /// ```
     pub fn new(device: &'static Device, frequency: u32) -> Self {
         Self { device, period: 1000.0 / f64::from(frequency), done: HashMap::new() }
@@ -160,7 +160,7 @@ impl Scheduler {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// assert_eq!(Scheduler::new(device::find("xc2v6000-4")?, 50).period(), 20.0);
-    /// # Ok::<(), device::UnknownDevice>(())
+    /// # Ok::<(), device::DeviceError>(())
     /// ```
     pub fn period(&self) -> f64 {
         self.period
@@ -177,7 +177,7 @@ impl Scheduler {
     /// # });
     /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
     /// assert_eq!(schedule.latency, 1, "a product has a register");
-    /// # Ok::<(), device::UnknownDevice>(())
+    /// # Ok::<(), device::DeviceError>(())
     /// ```
     pub fn schedule(&mut self, block: &Rc<Block>) -> Rc<Schedule> {
         if let Some(schedule) = self.done.get(&Rc::as_ptr(block)) {
