@@ -5,7 +5,7 @@
 //! stands between registers, the one behind it being the multiplier's own; where the nets to multipliers would take too much
 //! of the period, there is one more register in front of each operand. A multiplexer of more than four operands that is too
 //! long takes two clocks: among the operands of each group, then among the groups, with registers between. Sums, negations and
-//! comparisons that no clock holds are made of parts first (see [`divide`]); what is too long even so stays so. Blocks are scheduled by themselves,
+//! comparisons that no clock holds are made of parts first (`divide.rs`); what is too long even so stays so. Blocks are scheduled by themselves,
 //! their inputs arriving from registers in clock 0, and all outputs leave at one latency; an instance then is one
 //! operation of its parent. That fixes the latency; within it nodes then start where they take the fewest register bits
 //! (see [`linear_program`]).
