@@ -22,11 +22,9 @@ const LEAST: u32 = 4;
 
 /// The block with operations divided that take more than `room` ns between registers; itself if there are none.
 pub(super) fn divided(block: &Rc<Block>, device: &Device, room: f64) -> Rc<Block> {
-    let long = |i: usize| match &block.nodes[i].op {
-        Op::Comb(op) => delay(device, block, i) > room && Parts::of(op).is_some(),
-        _ => false,
-    };
-    if !(0..block.nodes.len()).any(long) {
+    let long = |i: usize| matches!(&block.nodes[i].op, Op::Comb(op) if divisible(op)) && delay(device, block, i) > room;
+    let long: Vec<bool> = (0..block.nodes.len()).map(long).collect();
+    if !long.contains(&true) {
         return Rc::clone(block);
     }
     let names = block.nodes.iter().map(Node::name).collect();
@@ -34,7 +32,7 @@ pub(super) fn divided(block: &Rc<Block>, device: &Device, room: f64) -> Rc<Block
     let mut at: Vec<NodeId> = vec![];
     for (i, node) in block.nodes.iter().enumerate() {
         let id = match &node.op {
-            Op::Comb(op) if long(i) => {
+            Op::Comb(op) if long[i] => {
                 let args: Vec<NodeId> = node.args.iter().map(|a| at[a.0]).collect();
                 let made = division.part(op.clone(), &args, &node.place, "");
                 division.in_place_of(node, made)
@@ -45,44 +43,19 @@ pub(super) fn divided(block: &Rc<Block>, device: &Device, room: f64) -> Rc<Block
         at.push(id);
     }
     // What was kept has the operands of before, some of which come later.
-    for (i, node) in block.nodes.iter().enumerate() {
-        let kept = &mut division.nodes[at[i].0];
-        if !long(i) {
-            kept.args = node.args.iter().map(|a| at[a.0]).collect();
-        }
+    for (i, node) in block.nodes.iter().enumerate().filter(|(i, _)| !long[*i]) {
+        division.nodes[at[i].0].args = node.args.iter().map(|a| at[a.0]).collect();
     }
     Rc::new(block.remade(division.nodes, division.ranges, |id| at[id.0]))
 }
 
-/// The kinds of operations that can be divided.
-#[derive(Clone, Copy, PartialEq)]
-enum Parts {
-    Sum,
-    Difference,
-    Negation,
-    Signed,
-    Magnitude,
-    Less,
-    Equal,
-    Any,
-    Choice,
-}
-
-impl Parts {
-    fn of(op: &Comb) -> Option<Self> {
-        Some(match op {
-            Comb::Add(_) => Self::Sum,
-            Comb::Subtract(_) => Self::Difference,
-            Comb::Negate(_) => Self::Negation,
-            Comb::NegateIf(_) => Self::Signed,
-            Comb::Magnitude(_) => Self::Magnitude,
-            Comb::Less(_) => Self::Less,
-            Comb::Equal(_) => Self::Equal,
-            Comb::OrReduce(_) => Self::Any,
-            Comb::Select(_) => Self::Choice,
-            _ => return None,
-        })
-    }
+/// Whether there are parts of an operation.
+fn divisible(op: &Comb) -> bool {
+    use Comb::*;
+    matches!(
+        op,
+        Add(_) | Subtract(_) | Negate(_) | NegateIf(_) | Magnitude(_) | Less(_) | Equal(_) | OrReduce(_) | Select(_)
+    )
 }
 
 struct Division<'a> {
@@ -165,23 +138,25 @@ impl Division<'_> {
     fn part(&mut self, op: Comb, args: &[NodeId], of: &Place, name: &str) -> NodeId {
         let types: Vec<Type> = args.iter().map(|a| self.ty(*a)).collect();
         let whole = if name.is_empty() { "whole" } else { name };
-        let kind = Parts::of(&op).filter(|_| !self.fits(&op, &types));
-        let made = kind.and_then(|kind| match kind {
-            Parts::Sum | Parts::Difference => self.sum(&op, kind, [args[0], args[1]], of, name),
-            Parts::Negation => {
+        let made = match &op {
+            _ if self.fits(&op, &types) => None,
+            Comb::Add(_) | Comb::Subtract(_) => self.sum(&op, [args[0], args[1]], of, name),
+            Comb::Negate(_) => {
                 let to = op.result(&types).expect("it was made before");
-                self.negated(args[0], to.bits, of, name)
+                let zero = self.push(Constant(0, types[0]), &[], of, &join(name, "zero"));
+                self.sum(&Subtract(Some(to.bits)).into(), [zero, args[0]], of, name)
             }
-            Parts::Signed => self.negation(args[0], args[1], true, of, name),
-            Parts::Magnitude => {
+            Comb::NegateIf(_) => self.negation(args[0], args[1], true, of, name),
+            Comb::Magnitude(_) => {
                 let sign = self.push(SignBit, args, of, &join(name, "sign"));
                 self.negation(sign, args[0], false, of, name)
             }
-            Parts::Less => self.less([args[0], args[1]], of, name),
-            Parts::Equal => self.equal([args[0], args[1]], of, name),
-            Parts::Any => self.any(args[0], of, name),
-            Parts::Choice => self.choice(&op, args, of, name),
-        });
+            Comb::Less(_) => self.less([args[0], args[1]], of, name),
+            Comb::Equal(_) => self.equal([args[0], args[1]], of, name),
+            Comb::OrReduce(_) => self.any(args[0], of, name),
+            Comb::Select(_) => self.choice(&op, args, of, name),
+            _ => None,
+        };
         made.unwrap_or_else(|| self.push(op, args, of, whole))
     }
 
@@ -192,13 +167,17 @@ impl Division<'_> {
         [self.push(LowBits(k), &[x], of, &join(name, "low")), self.push(Floor(k), &[x], of, &join(name, "rest"))]
     }
 
-    fn sum(&mut self, op: &Comb, kind: Parts, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
+    /// The same of two operands.
+    fn both(&mut self, [a, b]: [NodeId; 2], ty: Type, k: u32, of: &Place, name: &str) -> [[NodeId; 2]; 2] {
+        [(a, "a"), (b, "b")].map(|(x, operand)| self.halves(x, ty, k, of, &join(name, operand)))
+    }
+
+    fn sum(&mut self, op: &Comb, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
         let to = op.result(&args.map(|a| self.ty(a))).expect("it was made before");
-        let minus = kind == Parts::Difference;
+        let minus = matches!(op, Comb::Subtract(_));
         let make = |bits: Option<u32>| -> Comb { if minus { Subtract(bits).into() } else { Add(bits).into() } };
         let k = self.lowest(to.bits, |k| self.fits(&make(None), &[Type::unsigned(k); 2]))?;
-        let [[a_low, a], [b_low, b]] =
-            [(args[0], "a"), (args[1], "b")].map(|(x, operand)| self.halves(x, to, k, of, &join(name, operand)));
+        let [[a_low, a], [b_low, b]] = self.both(args, to, k, of, name);
         let low = self.push(make(None), &[a_low, b_low], of, &join(name, "low"));
         let carry = if minus {
             self.push(SignBit, &[low], of, &join(name, "carry"))
@@ -211,11 +190,6 @@ impl Division<'_> {
         let b = self.push(Concatenate, &[carry, b], of, &join(name, "b_up"));
         let high = self.part(make(Some(to.bits - k + 1)), &[a, b], of, &join(name, "high"));
         Some(self.joined(low, high, k, to.signed, of, name))
-    }
-
-    fn negated(&mut self, x: NodeId, bits: u32, of: &Place, name: &str) -> Option<NodeId> {
-        let zero = self.push(Constant(0, self.ty(x)), &[], of, &join(name, "zero"));
-        self.sum(&Subtract(Some(bits)).into(), Parts::Difference, [zero, x], of, name)
     }
 
     /// Negated under a flag; where a clock does not hold the choice in front of a chain, chosen behind it.
@@ -252,8 +226,7 @@ impl Division<'_> {
     fn less(&mut self, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
         let ty = Type::joint(&args.map(|a| self.ty(a))).expect("it was made before");
         let k = self.lowest(ty.bits, |k| self.fits(&Subtract(None).into(), &[Type::unsigned(k); 2]))?;
-        let [[a_low, a], [b_low, b]] =
-            [(args[0], "a"), (args[1], "b")].map(|(x, operand)| self.halves(x, ty, k, of, &join(name, operand)));
+        let [[a_low, a], [b_low, b]] = self.both(args, ty, k, of, name);
         let low = self.push(Subtract(None), &[a_low, b_low], of, &join(name, "low"));
         let borrow = self.push(SignBit, &[low], of, &join(name, "borrow"));
         let zero = self.push(Constant(0, Type::FLAG), &[], of, &join(name, "zero"));
@@ -265,8 +238,7 @@ impl Division<'_> {
     fn equal(&mut self, args: [NodeId; 2], of: &Place, name: &str) -> Option<NodeId> {
         let ty = Type::joint(&args.map(|a| self.ty(a))).expect("it was made before");
         let k = self.lowest(ty.bits, |k| self.fits(&Equal.into(), &[Type::unsigned(k); 2]))?;
-        let [[a_low, a], [b_low, b]] =
-            [(args[0], "a"), (args[1], "b")].map(|(x, operand)| self.halves(x, ty, k, of, &join(name, operand)));
+        let [[a_low, a], [b_low, b]] = self.both(args, ty, k, of, name);
         let low = self.push(Equal, &[a_low, b_low], of, &join(name, "low"));
         let high = self.part(Equal.into(), &[a, b], of, &join(name, "high"));
         Some(self.push(And, &[low, high], of, &join(name, "whole")))
