@@ -88,6 +88,7 @@ fn parse(text: &str) -> Result<Device, String> {
     if behind > product.0 {
         return Err(format!("product_behind_register = {behind}: expected at most product, {}", product.0));
     }
+    let clock_to_output = delay("clock_to_output", own.clock_to_output, like.clock_to_output, 0.01)?;
     Ok(Device {
         name: own.name.leak(),
         part: super::Part { family, device, package, speed },
@@ -101,8 +102,9 @@ fn parse(text: &str) -> Result<Device, String> {
         multipliers: own.multipliers,
         block_rams: own.block_rams,
         source: "a file of the user",
-        clock_to_output: delay("clock_to_output", own.clock_to_output, like.clock_to_output, 0.01)?,
-        product_to_output: own.clock_to_output.unwrap_or(like.product_to_output),
+        clock_to_output,
+        // What its net takes more stays.
+        product_to_output: clock_to_output + like.product_to_output - like.clock_to_output,
         setup: delay("setup", own.setup, like.setup, 0.0)?,
         lut: delay("lut", own.lut, like.lut, 0.01)?,
         net: delay("net", own.net, like.net, 0.0)?,
@@ -137,6 +139,13 @@ mod tests {
         let (own, like) = (parse(KINTEX).unwrap(), known("xc7a200t-1").unwrap());
         assert_eq!((own.name, own.part.device, own.multipliers, own.lut), ("xc7k325t-2", "xc7k325t", 840, 0.05));
         assert_eq!((own.net, own.product, own.family, own.fabric), (like.net, like.product, like.family, like.fabric));
+    }
+
+    #[test]
+    fn nets_behind_multipliers_stay_longer_than_others() {
+        let text = KINTEX.replace("xc7a200t-1", "lfe5u-85-6").replace("lut = 0.05", "clock_to_output = 0.4");
+        let (own, like) = (parse(&text).unwrap(), known("lfe5u-85-6").unwrap());
+        assert!((own.product_to_output - (like.product_to_output - 0.12)).abs() < 1e-9, "{}", own.product_to_output);
     }
 
     #[test]
