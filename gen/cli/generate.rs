@@ -336,7 +336,7 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     let mut units = vec![&design.unit.top];
     units.extend((!design.by_number).then_some(&design.volume.stage));
     let units: Resources = units.into_iter().map(|module| estimate::whole(module, device)).sum();
-    if let Some((kind, used, there)) = (0..engines).map(|_| units).sum::<Resources>().shortage(&device.capacity) {
+    if let Some((kind, used, there)) = (units * u64::from(engines)).shortage(&device.capacity) {
         warn(&format!("{} has {there} {kind}; the units of the design are predicted to take {used}", device.name));
     }
     if written.block_rams > device.block_rams.into() {

@@ -47,14 +47,14 @@ architecture simulation of efsat_stream_tb is
   signal m_tlast : std_logic;
   signal m_tready : std_logic := '0';
 
-  -- Hexadecimal digits into a word.
+  -- The hexadecimal digits of a word, after a space.
   procedure read_word(l : inout line; word : out std_logic_vector) is
     constant digits : natural := word'length / 4;
     variable bits : std_logic_vector(word'length - 1 downto 0);
     variable c : character;
     variable nibble : natural;
   begin
-    read(l, c);  -- the space before it
+    read(l, c);
     for i in digits - 1 downto 0 loop
       read(l, c);
       case c is
@@ -68,18 +68,6 @@ architecture simulation of efsat_stream_tb is
     end loop;
     word := bits;
   end procedure read_word;
-
-  procedure read_flag(l : inout line; flag : out std_logic) is
-    variable c : character;
-  begin
-    read(l, c);  -- the space before it
-    read(l, c);
-    if c = '1' then
-      flag := '1';
-    else
-      flag := '0';
-    end if;
-  end procedure read_flag;
 
   procedure write_word(l : inout line; word : in std_logic_vector) is
     constant hex : string(1 to 16) := "0123456789abcdef";
@@ -97,6 +85,18 @@ architecture simulation of efsat_stream_tb is
       end if;
     end loop;
   end procedure write_word;
+
+  procedure read_flag(l : inout line; flag : out std_logic) is
+    variable c : character;
+  begin
+    read(l, c);  -- the space before it
+    read(l, c);
+    if c = '1' then
+      flag := '1';
+    else
+      flag := '0';
+    end if;
+  end procedure read_flag;
 
   procedure write_answer(l : inout line; word : in std_logic_vector; last : in std_logic) is
   begin

@@ -87,44 +87,8 @@ architecture simulation of {{ prefix }}efsat_engine_tb is
     return x(14 downto 0) & (x(15) xor x(13) xor x(12) xor x(10));
   end function following;
 
-  -- The hexadecimal digits of a word, after a space.
-  procedure read_word(l : inout line; word : out std_logic_vector) is
-    constant digits : natural := word'length / 4;
-    variable bits : std_logic_vector(word'length - 1 downto 0);
-    variable c : character;
-    variable nibble : natural;
-  begin
-    read(l, c);
-    for i in digits - 1 downto 0 loop
-      read(l, c);
-      case c is
-        when '0' to '9' => nibble := character'pos(c) - character'pos('0');
-        when 'a' to 'f' => nibble := character'pos(c) - character'pos('a') + 10;
-        when others =>
-          nibble := 0;
-          assert false report "{{ prefix }}efsat_engine_tb: no hexadecimal digit: " & c severity failure;
-      end case;
-      bits(4 * i + 3 downto 4 * i) := std_logic_vector(to_unsigned(nibble, 4));
-    end loop;
-    word := bits;
-  end procedure read_word;
-
-  procedure write_word(l : inout line; word : in std_logic_vector) is
-    constant hex : string(1 to 16) := "0123456789abcdef";
-    constant digits : natural := word'length / 4;
-    variable bits : std_logic_vector(word'length - 1 downto 0);
-    variable nibble : std_logic_vector(3 downto 0);
-  begin
-    bits := word;
-    for i in digits - 1 downto 0 loop
-      nibble := bits(4 * i + 3 downto 4 * i);
-      if is_x(nibble) then
-        write(l, '?');
-      else
-        write(l, hex(to_integer(unsigned(nibble)) + 1));
-      end if;
-    end loop;
-  end procedure write_word;
+{% let bench = "efsat_engine_tb" %}
+{%- include "bench/hex_words.vhd" %}
 
   -- Ascending order, by insertion with shrinking steps.
   procedure sort(words : inout words_64; count : in natural) is
@@ -256,39 +220,9 @@ begin
       end loop;
     end procedure find_line;
 
-    procedure complain(what : in string) is
-    begin
-      mismatches := mismatches + 1;
-      if mismatches <= 10 then
-        write(message, string'("{{ prefix }}efsat_engine_tb: packet "));
-        write(message, packets_out);
-        write(message, string'(" pass "));
-        write(message, pass);
-        write(message, string'(": "));
-        write(message, what);
-        writeline(output, message);
-      end if;
-    end procedure complain;
-
-    procedure compare_word(what : in string; actual : in std_logic_vector; due : in std_logic_vector) is
-    begin
-      if actual /= due then
-        mismatches := mismatches + 1;
-        if mismatches <= 10 then
-          write(message, string'("{{ prefix }}efsat_engine_tb: packet "));
-          write(message, packets_out);
-          write(message, string'(" pass "));
-          write(message, pass);
-          write(message, string'(": "));
-          write(message, what);
-          write(message, string'(" expected "));
-          write_word(message, due);
-          write(message, string'(" actual "));
-          write_word(message, actual);
-          writeline(output, message);
-        end if;
-      end if;
-    end procedure compare_word;
+{% let place = "packet" %}
+{%- let counter = "packets_out" %}
+{%- include "bench/complain.vhd" %}
 
 {%- if e.engines.several %}
 

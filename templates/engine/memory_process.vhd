@@ -42,7 +42,7 @@
     begin
       errors := errors + 1;
       broken <= errors;
-      assert false report "{{ prefix }}efsat_engine_tb: " & what severity error;
+      assert false report "{{ prefix }}{{ bench }}: " & what severity error;
     end procedure complain;
 
     -- Half of a word of 64 bits in 32-bit memories, else whole ones.

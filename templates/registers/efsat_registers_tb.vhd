@@ -79,44 +79,8 @@ architecture simulation of {{ prefix }}efsat_registers_tb is
     return x(14 downto 0) & (x(15) xor x(13) xor x(12) xor x(10));
   end function following;
 
-  -- The hexadecimal digits of a word, after a space.
-  procedure read_word(l : inout line; word : out std_logic_vector) is
-    constant digits : natural := word'length / 4;
-    variable bits : std_logic_vector(word'length - 1 downto 0);
-    variable c : character;
-    variable nibble : natural;
-  begin
-    read(l, c);
-    for i in digits - 1 downto 0 loop
-      read(l, c);
-      case c is
-        when '0' to '9' => nibble := character'pos(c) - character'pos('0');
-        when 'a' to 'f' => nibble := character'pos(c) - character'pos('a') + 10;
-        when others =>
-          nibble := 0;
-          assert false report "{{ prefix }}efsat_registers_tb: no hexadecimal digit: " & c severity failure;
-      end case;
-      bits(4 * i + 3 downto 4 * i) := std_logic_vector(to_unsigned(nibble, 4));
-    end loop;
-    word := bits;
-  end procedure read_word;
-
-  procedure write_word(l : inout line; word : in std_logic_vector) is
-    constant hex : string(1 to 16) := "0123456789abcdef";
-    constant digits : natural := word'length / 4;
-    variable bits : std_logic_vector(word'length - 1 downto 0);
-    variable nibble : std_logic_vector(3 downto 0);
-  begin
-    bits := word;
-    for i in digits - 1 downto 0 loop
-      nibble := bits(4 * i + 3 downto 4 * i);
-      if is_x(nibble) then
-        write(l, '?');
-      else
-        write(l, hex(to_integer(unsigned(nibble)) + 1));
-      end if;
-    end loop;
-  end procedure write_word;
+{% let bench = "efsat_registers_tb" %}
+{%- include "bench/hex_words.vhd" %}
 begin
   clk <= not clk after {{ half_period }} when not done else '0';
   finished <= done;
@@ -196,39 +160,9 @@ begin
     variable misses : unsigned(31 downto 0) := (others => '0');
     variable packet : natural := 0;
 
-    procedure complain(what : in string) is
-    begin
-      mismatches := mismatches + 1;
-      if mismatches <= 10 then
-        write(message, string'("{{ prefix }}efsat_registers_tb: line "));
-        write(message, lines);
-        write(message, string'(" pass "));
-        write(message, pass);
-        write(message, string'(": "));
-        write(message, what);
-        writeline(output, message);
-      end if;
-    end procedure complain;
-
-    procedure compare(what : in string; actual : in std_logic_vector; due : in std_logic_vector) is
-    begin
-      if actual /= due then
-        mismatches := mismatches + 1;
-        if mismatches <= 10 then
-          write(message, string'("{{ prefix }}efsat_registers_tb: line "));
-          write(message, lines);
-          write(message, string'(" pass "));
-          write(message, pass);
-          write(message, string'(": "));
-          write(message, what);
-          write(message, string'(" expected "));
-          write_word(message, due);
-          write(message, string'(" actual "));
-          write_word(message, actual);
-          writeline(output, message);
-        end if;
-      end if;
-    end procedure compare;
+{% let place = "line" %}
+{%- let counter = "lines" %}
+{%- include "bench/complain.vhd" %}
 
     -- A clock; what was offered and not taken has to stay.
     procedure step is
@@ -385,7 +319,7 @@ begin
       end if;
       -- Else it is tried until it is not refused.
       store(transmit_low_at, value(31 downto 0), "1111", said);
-      compare("response", said, response_okay);
+      compare_word("response", said, response_okay);
       loop
         if last then
           store(transmit_last_at, value(63 downto 32), "1111", said);
@@ -414,10 +348,10 @@ begin
       end loop;
       came_last := found(status_receive_last);
       load(receive_low_at, found, said);
-      compare("response", said, response_okay);
+      compare_word("response", said, response_okay);
       came(31 downto 0) := found;
       load(receive_high_at, found, said);
-      compare("response", said, response_okay);
+      compare_word("response", said, response_okay);
       came(63 downto 32) := found;
       words := words + 1;
       recent(0 to 6) := recent(1 to 7);
@@ -473,15 +407,15 @@ begin
             read_word(l, strobes);
             read_word(l, response);
             store(address, word, strobes, said);
-            compare("response", said, response(1 downto 0));
+            compare_word("response", said, response(1 downto 0));
           when 'R' =>
             read_word(l, address);
             read_word(l, word);
             read_word(l, mask);
             read_word(l, response);
             load(address, found, said);
-            compare("response", said, response(1 downto 0));
-            compare("register", found and mask, word and mask);
+            compare_word("response", said, response(1 downto 0));
+            compare_word("register", found and mask, word and mask);
           when 'Q' =>
             read_word(l, flag);
             for i in 1 to 8 loop
@@ -523,7 +457,7 @@ begin
             read_word(l, long_mask);
             read_word(l, flag);
             receive;
-            compare("word", came and long_mask, long and long_mask);
+            compare_word("word", came and long_mask, long and long_mask);
             if came_last /= flag(0) then
               complain("another word is the last one");
             end if;
@@ -538,18 +472,18 @@ begin
                 complain("a packet is too short");
               end if;
             end loop;
-            compare("sum", std_logic_vector(sum), long);
+            compare_word("sum", std_logic_vector(sum), long);
           when 'E' =>
             read_word(l, word);
             loop
               receive;
               exit when came_last = '1';
             end loop;
-            compare("report", recent(0)(31 downto 0), word);
+            compare_word("report", recent(0)(31 downto 0), word);
 {%- if has_caches %}
           when 'K' =>
             load(cache_misses_at, found, said);
-            compare("cache_misses", found, std_logic_vector(misses));
+            compare_word("cache_misses", found, std_logic_vector(misses));
             if misses = 0 then
               complain("no cache misses at all");
             end if;

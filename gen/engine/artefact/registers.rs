@@ -14,9 +14,6 @@ use efsat_unit::pair::Pair;
 use efsat_unit::parts::registers::{Behind, PLACES, Script, Shell};
 use efsat_unit::words::REPORT;
 
-/// The testbench of the engine, whose memory that of the registers has, too.
-const MEMORY_BENCH: &str = "efsat_engine_tb:";
-
 #[derive(Template)]
 #[template(path = "engine/read_ports.vhd", escape = "none")]
 struct ReadPorts<'a> {
@@ -33,6 +30,7 @@ struct MemorySignals<'a> {
 #[template(path = "engine/memory_process.vhd", escape = "none")]
 struct MemoryProcess<'a> {
     prefix: &'a Prefix,
+    bench: &'a str,
     e: &'a Values,
 }
 
@@ -54,7 +52,7 @@ pub(super) fn shell<'a>(design: &EngineDesign, prefix: &'a Prefix, options: &'a 
         half_period: format!("{} ps", testbench::half_period(&design.unit.params)),
         memory: [
             text(MemorySignals { e: values }.render()),
-            text(MemoryProcess { prefix, e: values }.render()).replace(MEMORY_BENCH, "efsat_registers_tb:"),
+            text(MemoryProcess { prefix, bench: "efsat_registers_tb", e: values }.render()),
         ],
         script: script(design, behind, options),
     }
