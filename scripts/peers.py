@@ -197,6 +197,8 @@ def main():
         poses = [pose for p, q, pose in meetings if (p, q) == (a, b)]
         shapes = [Shape(mesh.vertices, mesh.faces) for mesh in (meshes[a], meshes[b])]
         pairs(scene.name, *shapes, poses[:: max(1, -(-len(poses) // most))])
+    if not files:
+        return
     torus, poses = tori()
     pairs("tori", torus, torus, poses)
     count = len(torus.vertices)

@@ -254,23 +254,28 @@ def scenes():
     return table(["<file", "<what it shows"], ([f"`{file.name}`", re.split(r"[.:]( |$)", comment(file.read_text()))[0]] for file in sorted(Path("scenes").glob("*.toml"))))
 
 
-LARGE = "--clocks-per-pair 1 --block-lines 2048"
-ENGINES = {"A": "--method axes", "B": LARGE, "D": f"{LARGE} --expansion-clocks 1 --memory-width 512 --in-flight 64 --latency 64"}
+ENGINES = {
+    "ready": "",
+    "132 multipliers": "--expansion-clocks 2 --memory-width 128 --in-flight 32 --pair-queue 512 --block-lines 2048",
+    "252 multipliers": "--expansion-clocks 1 --memory-width 512 --in-flight 64 --pair-queue 1024 --block-lines 4096 --triangle-lines 4096",
+}
 
 
 def distances():
     """Times per query from docs/engine-speed/times.csv, which scripts/engine-speed makes."""
     rows = list(csv.DictReader(Path("docs/engine-speed/times.csv").read_text().splitlines()))
-    starts = {"FCL": "FCL", "this project": "this project", "A": "A:", "B": "B:", "D": "D:"}
-    series = [[row for row in rows if row["series"].startswith(start)] for start in starts.values()]
+    series = list(dict.fromkeys(row["series"] for row in rows))
+    places = list(dict.fromkeys(row["distance"] for row in rows))
+    times = {(row["distance"], row["series"]): float(row["microseconds"]) for row in rows}
+    queries = {row["distance"]: row["queries"] for row in rows}
+    ours = next(name for name in series if name.startswith("this project"))
 
-    def line(found):
-        times = [float(row["microseconds"]) for row in found]
-        text = [f"{float(f'{time:.3g}'):,.0f}" if time >= 99.5 else f"{time:.1f}" for time in times]
-        return [f"{float(found[0]['distance']):g}", found[0]["queries"], *text, f"{times[0] / times[2]:.1f}", f"{times[1] / times[2]:.2f}"]
+    def time(place, name):
+        found = times[place, name]
+        text = f"{float(f'{found:.3g}'):,.0f}" if found >= 99.5 else f"{found:.2g}" if found < 10 else f"{found:.1f}"
+        return f"{text} ({times[place, ours] / found:.1f} x)" if ":" in name or "engine" in name else text
 
-    shown = [found for i, found in enumerate(zip(*series, strict=True)) if found[0]["distance"] in ("1.55", "1.5", "1.45", "1.3", "1.1", "0.8")]
-    return table(["distance", "queries", *starts, "FCL / A", "this project / A"], map(line, shown))
+    return table(["<distance", "queries", *series], ([place, queries[place], *(time(place, name) for name in series)] for place in places))
 
 
 def engine(scene, name):

@@ -3,15 +3,16 @@
 use crate::extent::share;
 use crate::hierarchy::brute_force;
 use crate::tools::program::{fails, object, succeeds};
+use efsat::collide::Collider;
 use efsat::collide::hierarchy::Directions;
-use efsat::engine::host::{Image, Numbers, memory};
+use efsat::engine::host::{Image, Images, Numbers, memory};
 use efsat::engine::model::{Model, Query};
 use efsat::engine::params::EngineParams;
 use efsat::engine::words::Reason;
 use efsat::mesh::{Mesh, read};
 use efsat::pair::Verdict;
 use efsat::params::Params;
-use efsat::scene::{Pose, Scene, load};
+use efsat::scene::{Meeting, Pose, Scene, load};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::fs;
@@ -122,6 +123,34 @@ fn no_touching_pair_of_any_mesh_is_lost() {
     let (touching, queries) = all.iter().fold((0, 0), |(t, q), (touching, queries, _)| (t + touching, q + queries));
     assert!(touching > 5_000, "{touching} pairs touch");
     assert!(queries > 3 * cases.len(), "{queries} queries of {} answered", 4 * cases.len());
+}
+
+/// Behind the hierarchy the exact unit, also as a cascade, decides every pair, and finds what software finds in the snapped meshes.
+#[test]
+fn an_exact_unit_leaves_no_third_answer() {
+    let scene = load(&scenes().join("sliding.toml")).unwrap();
+    let (meshes, near) = (scene.meshes().0, scene.near());
+    let queries: Vec<_> = (0..scene.frames()).flat_map(|frame| near.meetings(frame)).collect();
+    let engine = EngineParams::default();
+    for (width, exact_clocks) in [(26, None), (32, None), (32, Some(16))] {
+        let unit = Params { width, transform_width: width, exact_clocks, ..Params::snapped() };
+        let images = Images::new(&meshes, Numbers::new(&engine, &unit).unwrap()).unwrap();
+        let (memory, sides) = memory(&images.all());
+        let model = Model::new(&engine, &unit).unwrap();
+        let touching = queries.par_iter().map(|Meeting { meshes, pose, .. }| {
+            let query = images.query(*meshes, pose, &sides).unwrap();
+            let outcome = model.run(&memory, &query.words(images.numbers().format()));
+            assert_eq!((outcome.report.reason, outcome.report.possibly_incorrect), (Reason::Complete, 0));
+            let [a, b] = images.snapped(*meshes, pose).unwrap().unwrap();
+            let expected = Collider::new(a, b).contacts(&Pose::identity());
+            let mut expected: Vec<[u32; 2]> = expected.iter().map(|contact| [contact.a, contact.b]).collect();
+            let mut found: Vec<[u32; 2]> = outcome.answers.iter().map(|answer| answer.triangles).collect();
+            (expected.sort_unstable(), found.sort_unstable());
+            assert!(found == expected, "{width} bits: {} pairs, expected {}", found.len(), expected.len());
+            found.len()
+        });
+        assert!(touching.sum::<usize>() > 10_000);
+    }
 }
 
 #[test]

@@ -12,7 +12,8 @@ entity {{ prefix }}efsat_engine is
 {%- if e.engines.several %}
     renew_caches : in std_logic;  -- one clock long: another engine has a query that does not keep them
 {%- endif %}
-{% include "engine/ports.vhd" %}
+{% let read_ports = &e.engines.port -%}
+{%- include "engine/ports.vhd" %}
   );
 end entity {{ prefix }}efsat_engine;
 

@@ -9,7 +9,8 @@ use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}efsat_engine is
   port (
-{% include "engine/ports.vhd" %}
+{% let read_ports = &e.engines.port -%}
+{%- include "engine/ports.vhd" %}
   );
 end entity {{ prefix }}efsat_engine;
 

@@ -121,11 +121,18 @@ struct Address {
   bool operator!=(const Address &other) const { return byte != other.byte || beats != other.beats; }
 };
 
+// The signals of a read port.
+struct Port {
+{%- for signal in port_signals %}
+  decltype(V{{ top }}::m{{ ports[0] }}_axi_{{ signal }}) &{{ signal }};
+{%- endfor %}
+};
+
 // One channel of memory, in order.
 class Memory {
 public:
-  Memory(std::vector<uint64_t> words, const std::vector<Step> &steps, uint64_t least, uint64_t most, bool gaps, uint64_t seed)
-      : words(std::move(words)), readable(this->words.size() * 8 / line_bytes), least(least), most(most), gaps(gaps), random(seed) {
+  Memory(const Port &port, const std::vector<uint64_t> &words, const std::vector<Step> &steps, uint64_t least, uint64_t most, bool gaps, uint64_t seed)
+      : port(port), words(words), readable(words.size() * 8 / line_bytes), least(least), most(most), gaps(gaps), random(seed) {
     // What may be read: the ranges of queries.
     for (const Step &step : steps) {
       if (step.words.size() < 5 || uint32_t(step.words[0]) != 0x{{ query_header }})
@@ -139,18 +146,18 @@ public:
   }
 
   // Before the rising edge: what the engine asks, and whether it takes what is offered.
-  void see(const V{{ top }} &top) {
-    asked = top.m_axi_arvalid && top.m_axi_arready;
-    address = {top.m_axi_araddr, top.m_axi_arlen + 1u};
-    steady.see(top.m_axi_arvalid, top.m_axi_arready, address);
-    if (!top.m_axi_rready)
+  void see() {
+    asked = port.arvalid && port.arready;
+    address = {port.araddr, port.arlen + 1u};
+    steady.see(port.arvalid, port.arready, address);
+    if (!port.rready)
       fail("RREADY is not set");
     if (!asked)
       return;
     const uint64_t bytes = address.beats * word_bytes, line = address.byte / line_bytes;
-    if (top.m_axi_arcache != 3 || top.m_axi_arprot != 0)
+    if (port.arcache != 3 || port.arprot != 0)
       fail("another kind of access");
-    if (top.m_axi_arburst != 1 || top.m_axi_arsize != {{ word_size }})
+    if (port.arburst != 1 || port.arsize != {{ word_size }})
       fail("a burst that is not of whole words one after the other");
     if (address.byte % line_bytes != 0 || bytes > line_bytes || address.byte % 4096 + bytes > 4096)
       fail("a burst of " + std::to_string(bytes) + " bytes at byte " + std::to_string(address.byte));
@@ -161,21 +168,21 @@ public:
   }
 
   // After it.
-  void drive(V{{ top }} &top) {
+  void drive() {
     if (asked)
       bursts.push_back({address, clock_now + least - 1 + random(most - least + 1)});
     // A memory may wait for an address before it is ready; who offers one must not wait for that.
-    top.m_axi_arready = !gaps || (top.m_axi_arvalid && random(4) > 0);
-    top.m_axi_rvalid = 0;
-    top.m_axi_rlast = 0;
-    top.m_axi_rresp = 0;
+    port.arready = !gaps || (port.arvalid && random(4) > 0);
+    port.rvalid = 0;
+    port.rlast = 0;
+    port.rresp = 0;
     if (bursts.empty() || bursts.front().due > clock_now || (gaps && random(4) == 0))
       return;
     const Address &burst = bursts.front().address;
-    std::memcpy(&top.m_axi_rdata, reinterpret_cast<const char *>(words.data()) + burst.byte + beat * word_bytes, word_bytes);
-    top.m_axi_rvalid = 1;
+    std::memcpy(&port.rdata, reinterpret_cast<const char *>(words.data()) + burst.byte + beat * word_bytes, word_bytes);
+    port.rvalid = 1;
     if (++beat == burst.beats) {
-      top.m_axi_rlast = 1;
+      port.rlast = 1;
       beat = 0;
       bursts.pop_front();
     }
@@ -186,7 +193,8 @@ private:
     Address address;
     uint64_t due;
   };
-  std::vector<uint64_t> words;
+  Port port;
+  const std::vector<uint64_t> &words;
   std::vector<bool> readable;  // lines
   uint64_t least, most;
   bool gaps;
@@ -213,12 +221,16 @@ int main(int argc, char **argv) {
   const uint64_t seed = number(argv[argc - 2]);
   const uint64_t patience = number(argv[argc - 1]);  // clocks without a transfer before giving up
   Random random(seed + 1);
-{%- if axi %}
-  // No reset of the engine is one of memory: what was asked for is answered.
-  Memory memory(read_words(argv[1]), steps, number(argv[4]), number(argv[5]), gaps, seed);
-{%- endif %}
   const auto context = std::make_unique<VerilatedContext>();
   const auto top = std::make_unique<V{{ top }}>(context.get());
+{%- if axi %}
+  // No reset of the engine is one of memory: what was asked for is answered.
+  const std::vector<uint64_t> words = read_words(argv[1]);
+  std::vector<Memory> memories;
+{%- for port in ports %}
+  memories.emplace_back(Port{ {%- for signal in port_signals %}{% if !loop.first %}, {% endif %}top->m{{ port }}_axi_{{ signal }}{% endfor -%} }, words, steps, number(argv[4]), number(argv[5]), gaps, seed{% if !loop.first %} + {{ loop.index0 }}{% endif %});
+{%- endfor %}
+{%- endif %}
   const auto edge = [&] {
     top->aclk = 1;
     top->eval();
@@ -253,7 +265,8 @@ int main(int argc, char **argv) {
     const Offer offer = {top->m_axis_tdata, top->m_axis_tlast != 0};
     steady.see(top->m_axis_tvalid, top->m_axis_tready, offer);
 {%- if axi %}
-    memory.see(*top);
+    for (Memory &memory : memories)
+      memory.see();
 {%- endif %}
     edge();
     clock_now++;
@@ -329,7 +342,8 @@ int main(int argc, char **argv) {
     }
     top->m_axis_tready = !gaps || random(4) > 0;
 {%- if axi %}
-    memory.drive(*top);
+    for (Memory &memory : memories)
+      memory.drive();
 {%- endif %}
     settle();
   }

@@ -1,3 +1,4 @@
+{% let read_ports = &e.engines.ports -%}
 --------------------------------------------------------------------------------
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
@@ -129,19 +130,21 @@ begin
       s_axis_tlast => s_tlast,
       s_axis_tready => s_tready,
 {%- if e.axi %}
-      m_axi_araddr => araddr,
-      m_axi_arlen => arlen,
-      m_axi_arsize => arsize,
-      m_axi_arburst => arburst,
-      m_axi_arcache => arcache,
-      m_axi_arprot => arprot,
-      m_axi_arvalid => arvalid,
-      m_axi_arready => arready,
-      m_axi_rdata => rdata,
-      m_axi_rresp => rresp,
-      m_axi_rlast => rlast,
-      m_axi_rvalid => rvalid,
-      m_axi_rready => rready,
+{%- for port in read_ports %}
+      m{{ port }}_axi_araddr => araddr{{ port }},
+      m{{ port }}_axi_arlen => arlen{{ port }},
+      m{{ port }}_axi_arsize => arsize{{ port }},
+      m{{ port }}_axi_arburst => arburst{{ port }},
+      m{{ port }}_axi_arcache => arcache{{ port }},
+      m{{ port }}_axi_arprot => arprot{{ port }},
+      m{{ port }}_axi_arvalid => arvalid{{ port }},
+      m{{ port }}_axi_arready => arready{{ port }},
+      m{{ port }}_axi_rdata => rdata{{ port }},
+      m{{ port }}_axi_rresp => rresp{{ port }},
+      m{{ port }}_axi_rlast => rlast{{ port }},
+      m{{ port }}_axi_rvalid => rvalid{{ port }},
+      m{{ port }}_axi_rready => rready{{ port }},
+{%- endfor %}
 {%- endif %}
       m_axis_tdata => m_tdata,
       m_axis_tkeep => m_tkeep,
@@ -567,7 +570,9 @@ begin
       file_close(log);
     end if;
 {%- if e.axi %}
-    mismatches := mismatches + broken;
+{%- for port in read_ports %}
+    mismatches := mismatches + broken{{ port }};
+{%- endfor %}
 {%- endif %}
     write(message, string'("{{ prefix }}efsat_engine_tb: packets "));
     write(message, packets_out);

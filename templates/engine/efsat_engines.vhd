@@ -9,7 +9,8 @@ use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}efsat_engines is
   port (
-{% include "engine/ports.vhd" %}
+{% let read_ports = &e.engines.ports -%}
+{%- include "engine/ports.vhd" %}
   );
 end entity {{ prefix }}efsat_engines;
 
@@ -27,18 +28,22 @@ architecture rtl of {{ prefix }}efsat_engines is
   signal out_ready : flags;
 {%- for i in e.engines.each %}
   signal out_data_{{ i }} : std_logic_vector(63 downto 0);
+{%- if !e.engines.own_ports %}
   signal ask_address_{{ i }} : std_logic_vector(31 downto 0);
   signal ask_length_{{ i }} : std_logic_vector(7 downto 0);
+{%- endif %}
 {%- endfor %}
   signal out_last : flags;
   signal answered : flags;
   signal renew : flags;
+{%- if !e.engines.own_ports %}
   signal ask_valid : flags;
   signal ask_ready : flags;
   signal word_valid : flags;
   signal word_data : std_logic_vector(memory_width - 1 downto 0);
   signal word_response : std_logic_vector(1 downto 0);
   signal word_last : std_logic;
+{%- endif %}
 begin
   reset <= not aresetn;
 
@@ -75,6 +80,24 @@ begin
       s_axis_tvalid => in_valid({{ i }}),
       s_axis_tlast => in_last,
       s_axis_tready => in_ready({{ i }}),
+{%- if e.engines.own_ports %}
+{%- if e.memory.id.is_some() %}
+      m_axi_arid => m{{ i }}_axi_arid,
+{%- endif %}
+      m_axi_araddr => m{{ i }}_axi_araddr,
+      m_axi_arlen => m{{ i }}_axi_arlen,
+      m_axi_arsize => m{{ i }}_axi_arsize,
+      m_axi_arburst => m{{ i }}_axi_arburst,
+      m_axi_arcache => m{{ i }}_axi_arcache,
+      m_axi_arprot => m{{ i }}_axi_arprot,
+      m_axi_arvalid => m{{ i }}_axi_arvalid,
+      m_axi_arready => m{{ i }}_axi_arready,
+      m_axi_rdata => m{{ i }}_axi_rdata,
+      m_axi_rresp => m{{ i }}_axi_rresp,
+      m_axi_rlast => m{{ i }}_axi_rlast,
+      m_axi_rvalid => m{{ i }}_axi_rvalid,
+      m_axi_rready => m{{ i }}_axi_rready,
+{%- else %}
       m_axi_araddr => ask_address_{{ i }},
       m_axi_arlen => ask_length_{{ i }},
       m_axi_arsize => open,
@@ -88,6 +111,7 @@ begin
       m_axi_rlast => word_last,
       m_axi_rvalid => word_valid({{ i }}),
       m_axi_rready => open,
+{%- endif %}
       m_axis_tdata => out_data_{{ i }},
       m_axis_tkeep => open,
       m_axis_tvalid => out_valid({{ i }}),
@@ -115,6 +139,7 @@ begin
       m_axis_tlast => m_axis_tlast,
       m_axis_tready => m_axis_tready
     );
+{%- if !e.engines.own_ports %}
 
   memory : entity work.{{ prefix }}engines_memory
     port map (
@@ -131,4 +156,5 @@ begin
       word_response => word_response,
       word_last => word_last,
 {% include "engine/read_port.vhd" %}
+{%- endif %}
 end architecture rtl;

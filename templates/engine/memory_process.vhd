@@ -1,5 +1,6 @@
   -- Memory: bursts are answered in order, each not before its latency is over.
-  memory : process
+{%- for port in read_ports %}
+  memory{{ port }} : process
 {%- if e.memory.memory_width > 32 %}
     constant beat_words : natural := {{ e.memory.memory_words }};
 {%- endif %}
@@ -41,7 +42,7 @@
     procedure complain(what : in string) is
     begin
       errors := errors + 1;
-      broken <= errors;
+      broken{{ port }} <= errors;
       assert false report "{{ prefix }}{{ bench }}: " & what severity error;
     end procedure complain;
 
@@ -53,16 +54,16 @@
       if place < size then
         word := words(place);
         if number mod 2 = 0 then
-          rdata <= word(31 downto 0);
+          rdata{{ port }} <= word(31 downto 0);
         else
-          rdata <= word(63 downto 32);
+          rdata{{ port }} <= word(63 downto 32);
         end if;
       end if;
 {%- else %}
       for i in 0 to beat_words - 1 loop
         place := from + beat_words * number + i;
         if place < size then
-          rdata(64 * i + 63 downto 64 * i) <= words(place);
+          rdata{{ port }}(64 * i + 63 downto 64 * i) <= words(place);
         end if;
       end loop;
 {%- endif %}
@@ -122,26 +123,26 @@
         waiting := 0;
         beat := 0;
         holding := false;
-        rvalid <= '0';
-        arready <= '0';
+        rvalid{{ port }} <= '0';
+        arready{{ port }} <= '0';
       else
         -- Addresses
-        if holding and (arvalid /= '1' or araddr /= held_address) then
+        if holding and (arvalid{{ port }} /= '1' or araddr{{ port }} /= held_address) then
           complain("an address changed before it was taken");
         end if;
-        holding := arvalid = '1' and arready = '0';
-        held_address := araddr;
-        if (arvalid and arready) = '1' then
-          beats := to_integer(unsigned(arlen)) + 1;
-          place := to_integer(unsigned(araddr(30 downto 3)));
-          if arcache /= "0011" or arprot /= "000" then
+        holding := arvalid{{ port }} = '1' and arready{{ port }} = '0';
+        held_address := araddr{{ port }};
+        if (arvalid{{ port }} and arready{{ port }}) = '1' then
+          beats := to_integer(unsigned(arlen{{ port }})) + 1;
+          place := to_integer(unsigned(araddr{{ port }}(30 downto 3)));
+          if arcache{{ port }} /= "0011" or arprot{{ port }} /= "000" then
             complain("another kind of access");
           end if;
-          if arburst /= "01" or arsize /= "{{ e.memory.memory_size }}" or araddr(5 downto 0) /= "000000" or {{ e.memory.memory_bytes }} * beats > 64 then
+          if arburst{{ port }} /= "01" or arsize{{ port }} /= "{{ e.memory.memory_size }}" or araddr{{ port }}(5 downto 0) /= "000000" or {{ e.memory.memory_bytes }} * beats > 64 then
             complain("a burst that is not within 64 bytes");
           end if;
           for i in 0 to ({{ e.memory.memory_bytes }} * beats + 7) / 8 - 1 loop
-            if araddr(31) = '1' or place + i >= size then
+            if araddr{{ port }}(31) = '1' or place + i >= size then
               complain("a read outside the memory");
               exit;
             elsif not known(place + i) then
@@ -169,30 +170,30 @@
             waiting := waiting + 1;
           end if;
         end if;
-        arready <= '1';
+        arready{{ port }} <= '1';
         if pass > 1 then
           -- A memory may wait for an address before it is ready; who offers one must not wait for that.
-          arready <= arvalid and (random(3) or random(7));
+          arready{{ port }} <= arvalid{{ port }} and (random(3) or random(7));
         end if;
         -- Words
-        if (rvalid and not rready) = '1' then
+        if (rvalid{{ port }} and not rready{{ port }}) = '1' then
           complain("RREADY is not set");
         end if;
-        rvalid <= '0';
-        rlast <= '0';
-        rresp <= "00";
+        rvalid{{ port }} <= '0';
+        rlast{{ port }} <= '0';
+        rresp{{ port }} <= "00";
         if waiting > 0 and burst_due(first) <= clock and (pass = 1 or random(5) = '1' or random(11) = '1') then
           read_beat(burst_address(first), beat);
-          rvalid <= '1';
+          rvalid{{ port }} <= '1';
           if burst_fault(first) = 1 and beat = 1 mod burst_beats(first) then
-            rresp <= "10";
+            rresp{{ port }} <= "10";
           end if;
           beat := beat + 1;
           -- A word less or more than asked for.
           if (burst_fault(first) = 2 and beat + 1 >= burst_beats(first)) or (burst_fault(first) = 3 and beat > burst_beats(first))
             or (burst_fault(first) /= 2 and burst_fault(first) /= 3 and beat = burst_beats(first)) then
             if burst_fault(first) /= 5 then
-              rlast <= '1';
+              rlast{{ port }} <= '1';
             end if;
             beat := 0;
             first := (first + 1) mod most_bursts;
@@ -202,4 +203,5 @@
       end if;
     end loop;
     wait;
-  end process memory;
+  end process memory{{ port }};
+{%- endfor %}

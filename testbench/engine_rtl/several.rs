@@ -1,6 +1,7 @@
 //! Several engines behind one stream and one read port.
 
 use super::*;
+use efsat::engine::params::MemoryPorts;
 
 fn engines(engines: u32) -> EngineParams {
     EngineParams { engines, ..axi() }
@@ -14,7 +15,11 @@ fn several_engines_answer_as_one() {
     let bench = Bench::new(ghdl, &engines(2), &small());
     let report = bench.run(&latency);
     assert!(fine(&report), "{report}");
+    let own_ports = EngineParams { memory_ports: MemoryPorts::Each, ..engines(2) };
+    let report = Bench::new(ghdl, &own_ports, &small()).run(&[&latency[..], &["-gpasses=1"]].concat());
+    assert!(fine(&report), "{report}");
     let others = [
+        EngineParams { memory_ports: MemoryPorts::Each, axi_id_bits: 2, ..engines(4) },
         EngineParams { memory_width: 512, queries: 2, axi_id_bits: 4, ..engines(3) },
         EngineParams { memory_width: 32, ..engines(5) },
     ];

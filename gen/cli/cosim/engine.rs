@@ -347,7 +347,7 @@ fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usi
     };
     busy("volume unit busy", measure.volume_busy);
     busy("triangle unit busy", measure.triangle_busy);
-    busy("memory bus busy", measure.words);
+    busy("memory bus busy", measure.words / design.read_ports().len() as u64);
     let _ = writeln!(
         text,
         "{} queries, {refused} more for software; greatest stack {}; {}an expansion in {} clocks, a pair in {}; {}",

@@ -1,6 +1,7 @@
 //! Several engines behind one stream and one read port.
 
 use super::EngineDesign;
+use crate::params::MemoryPorts;
 use efsat_unit::parts::Core;
 
 /// They as a core.
@@ -18,8 +19,14 @@ pub(super) const ENTITIES: [(&str, &str); 5] = [
 
 /// What the header of the top says.
 pub(super) fn description(design: &EngineDesign) -> Vec<String> {
+    let count = design.params.engines;
     let lines = [
-        format!("{} collision engines behind one stream and one AXI4 read port.", design.params.engines),
+        match design.params.memory_ports {
+            MemoryPorts::One => format!("{count} collision engines behind one stream and one AXI4 read port."),
+            MemoryPorts::Each => {
+                format!("{count} collision engines behind one stream, each with an AXI4 read port: engine 0 has m0_axi.")
+            }
+        },
         String::new(),
         "In: the packets of one engine (see efsat_engine). A query goes to the engine that has the fewest; pairs and poses go to".to_owned(),
         "the first one, in order.".to_owned(),

@@ -2,7 +2,7 @@
 
 use super::values::WORD;
 use super::{CORE, EngineDesign, NAME, TESTBENCH, bench, by_number, engine_files, engines, host, registers};
-use crate::params::Memory;
+use crate::params::{Memory, MemoryPorts};
 use crate::words::Command;
 use askama::Template;
 use efsat_hardware::vhdl::lint::lint;
@@ -234,8 +234,9 @@ fn readme(
     };
     let list = if design.by_number { &by_number::ENTITIES[..] } else { &ENTITIES };
     let around = if params.engines > 1 { &engines::ENTITIES[..] } else { &[] };
+    let around = around.iter().filter(|(name, _)| *name != "engines_memory" || params.memory_ports == MemoryPorts::One);
     let mut entities: Vec<FileRow> =
-        around.iter().chain(list).map(|(name, what)| FileRow::new(&prefix.of(name), what)).collect();
+        around.chain(list).map(|(name, what)| FileRow::new(&prefix.of(name), what)).collect();
     let stores: &[(&str, &str)] = match params.memory {
         Memory::BlockRam => &[("engine_block_memory", "Blocks."), ("engine_triangle_memory", "Triangles.")],
         Memory::Axi => &[

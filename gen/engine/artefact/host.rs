@@ -2,7 +2,7 @@
 
 use super::{EngineDesign, NAME};
 use crate::format::EngineFormat;
-use crate::host::{FINE, Header as ImageHeader, LINE, Numbers, TRIANGLES_AT};
+use crate::host::{FINE, Header as ImageHeader, LINE, TRIANGLES_AT};
 use crate::params::Memory;
 use crate::words::{BlockLayout, Command, EngineAnswer, EngineReport, LINK_NUMBER_BITS, QueryFlags, Reason};
 use askama::Template;
@@ -231,7 +231,7 @@ fn of_poses(design: &EngineDesign) -> Vec<Constant> {
         number("origin_drop", FINE - format.origin_fraction(), "bits between them and origins"),
         number("grid_drop", FINE - format.grid_fraction(), "bits between them and the grid"),
         number("factor_drop", FINE - format.factor_fraction(), "bits between them and factors"),
-        number("shift_rounding", Numbers::shift_rounding(format), "roundings of the shift, in steps of the grid"),
+        number("shift_rounding", format.shift_rounding(), "roundings of the shift, in steps of the grid"),
     ]
 }
 

@@ -23,7 +23,7 @@ pub mod volume;
 use crate::design::volume_unit::VolumeDesign;
 use crate::format::EngineFormat;
 use crate::host::{Image, TRIANGLES_AT};
-use crate::params::{EngineParams, Memory, OFFSET_BITS};
+use crate::params::{EngineParams, Memory, MemoryPorts, OFFSET_BITS};
 use crate::words::LINK_NUMBER_BITS;
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
@@ -120,6 +120,15 @@ impl EngineDesign {
     #[doc(hidden)]
     pub fn top(&self) -> &'static str {
         if self.params.engines > 1 { engines::CORE.entity } else { NAME }
+    }
+
+    /// What stands behind the m in the names of the top's read ports: a number, or nothing if there is one port.
+    #[doc(hidden)]
+    pub fn read_ports(&self) -> Vec<String> {
+        match self.params.memory_ports {
+            MemoryPorts::One => vec![String::new()],
+            MemoryPorts::Each => (0..self.params.engines).map(|i| i.to_string()).collect(),
+        }
     }
 
     /// The options of the engine with their values.
@@ -308,7 +317,9 @@ pub fn engine_files(
         add("engines_dispatch", Dispatch::text(&header, prefix, &values));
         add("engines_queue", Queue::text(&header, prefix, &values));
         add("engines_gather", Gather::text(&header, prefix, &values));
-        add("engines_memory", SharedMemory::text(&header, prefix, &values));
+        if !values.engines.own_ports {
+            add("engines_memory", SharedMemory::text(&header, prefix, &values));
+        }
         add(design.top(), Engines::text(&around, prefix, &values));
     }
     Ok(files)

@@ -18,12 +18,14 @@ use efsat_unit::words::REPORT;
 #[template(path = "engine/read_ports.vhd", escape = "none")]
 struct ReadPorts<'a> {
     e: &'a Values,
+    read_ports: &'a [String],
 }
 
 #[derive(Template)]
 #[template(path = "engine/memory_signals.vhd", escape = "none")]
 struct MemorySignals<'a> {
     e: &'a Values,
+    read_ports: &'a [String],
 }
 
 #[derive(Template)]
@@ -32,6 +34,7 @@ struct MemoryProcess<'a> {
     prefix: &'a Prefix,
     bench: &'a str,
     e: &'a Values,
+    read_ports: &'a [String],
 }
 
 /// Registers around an engine, whose options are all in the command line.
@@ -40,6 +43,7 @@ pub(super) fn shell<'a>(design: &EngineDesign, prefix: &'a Prefix, options: &'a 
     let (values, behind) = (&Values::new(design), Behind::Engine { by_number: design.by_number, caches });
     let text = |text: askama::Result<String>| if caches { text.expect("the template renders") } else { String::new() };
     let query = if design.by_number { Command::Numbers } else { Command::Query };
+    let read_ports = &values.engines.port;
     Shell {
         behind,
         options,
@@ -48,11 +52,11 @@ pub(super) fn shell<'a>(design: &EngineDesign, prefix: &'a Prefix, options: &'a 
         answer_bits: 64,
         query_kind: format!("{:02x}", query as u8),
         report: (EngineReport::WORDS, format!("{:05b}", Reason::Reset as u8)),
-        more_ports: text(ReadPorts { e: values }.render()),
+        more_ports: text(ReadPorts { e: values, read_ports }.render()),
         half_period: format!("{} ps", testbench::half_period(&design.unit.params)),
         memory: [
-            text(MemorySignals { e: values }.render()),
-            text(MemoryProcess { prefix, bench: "efsat_registers_tb", e: values }.render()),
+            text(MemorySignals { e: values, read_ports }.render()),
+            text(MemoryProcess { prefix, bench: "efsat_registers_tb", e: values, read_ports }.render()),
         ],
         script: script(design, behind, options),
     }

@@ -12,7 +12,7 @@ use crate::params::EngineParams;
 use crate::words::{BlockLayout, Command, LINK_NUMBER_BITS, QueryFlags, TriangleLayout};
 use efsat_geometry::directions::Directions;
 use efsat_hardware::number::Upper;
-use efsat_unit::params::Params;
+use efsat_unit::params::{Params, Truth};
 use efsat_unit::words::{PacketKind, StreamFormat, StreamWidth};
 
 /// The step of the grid is 2^-(bits of a code + this), so that the greatest exponent, 15, reaches 3 (1 + 2^-17), the
@@ -20,6 +20,8 @@ use efsat_unit::words::{PacketKind, StreamFormat, StreamWidth};
 const GRID: u32 = 12;
 /// An origin has at most so many bits more than a code, or it would not lie on the grid.
 pub const ORIGIN_OVER_OFFSET: u32 = GRID + 1;
+/// How many steps of a word a snapped point of B is off along an axis, as seen from one of A, which is snapped too.
+const SNAPPED: u32 = 5;
 /// Version of the block's format.
 const VERSION: u32 = 1;
 
@@ -42,6 +44,8 @@ pub struct EngineFormat {
     pub int_bits: u32,
     /// Whether triangles and poses have sticky bits.
     pub sticky: bool,
+    /// Whether the unit answers for points that are snapped to its grid, which the volumes have to hold too.
+    pub snapped: bool,
     /// Words of the pose.
     pub pose_words: u32,
     /// The format of the unit's stream, whose headers and poses the engine takes over.
@@ -70,6 +74,7 @@ impl EngineFormat {
             transform_width: unit.transform_width,
             int_bits: unit.int_bits,
             sticky: unit.upper == Upper::Sticky,
+            snapped: unit.truth == Truth::Snapped,
             pose_words: stream.record_words(PacketKind::Pose),
             stream,
         }
@@ -162,13 +167,20 @@ impl EngineFormat {
         Self::SHIFT_ERROR_BITS
     }
 
-    /// What an error of a shift may be, counted in G: the roundings of three matrix entries and of the sum, and that of the
-    /// shift.
+    /// What the floor of the sum of products and the word of the shift are rounded by, counted in G; and, if points are snapped,
+    /// by how much less the real ones are apart than those: less than 5 steps of a word along each axis (docs/exact.md).
+    pub(crate) fn shift_rounding(&self) -> u32 {
+        let (grid, word) = (self.grid_fraction(), self.word_fraction());
+        let steps = |count: u32| (count << grid.saturating_sub(word)).div_ceil(1 << word.saturating_sub(grid));
+        1 + steps(1) + if self.snapped { steps(SNAPPED) } else { 0 }
+    }
+
+    /// What an error of a shift may be, counted in G: the roundings of three matrix entries, and the others.
     fn shift_error_bound(&self) -> u64 {
         let step = |fraction: u32| 1u64 << self.grid_fraction().saturating_sub(fraction);
         let entry = step(self.origin_fraction()).max(step(self.word_fraction()));
         // One more for a count that is rounded up.
-        3 * entry + step(self.word_fraction()) + 2
+        3 * entry + u64::from(self.shift_rounding()) + 1
     }
 
     /// The header word of a command.

@@ -105,6 +105,11 @@ impl Numbers {
         &self.format
     }
 
+    /// The unit behind the engine.
+    pub(super) fn unit(&self) -> &Params {
+        &self.unit
+    }
+
     /// The query for all contacts of two images, with B at M x + t in the frame of A; `m` is indexed `[row][column]`, all in
     /// the coordinates of the meshes, and taken as exact. Both may be the same image.
     ///
@@ -155,7 +160,7 @@ impl Numbers {
     }
 
     /// The pose words: M, and t' = 2^power (M c_B + t - c_A), exactly, then rounded down.
-    fn pose(&self, [a, b]: [&Header; 2], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Pose, Refusal> {
+    pub(super) fn pose(&self, [a, b]: [&Header; 2], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Pose, Refusal> {
         let fraction = self.format.word_fraction();
         let mut pose = Pose { m: [[Input::default(); 3]; 3], t: [Input::default(); 3], bypass: false };
         for (row, entries) in m.iter().enumerate() {
@@ -182,12 +187,7 @@ impl Numbers {
         let grid = self.format.grid_fraction();
         let step = FINE - self.format.origin_fraction();
         let missed = exact.iter().zip(rounded).map(|(x, &rounded)| (x.floor - (rounded << step)).abs() + x.above);
-        (up(missed.sum(), FINE - grid) + i64::from(Self::shift_rounding(&self.format))) as u32
-    }
-
-    /// What the floor of the sum and the word of the shift are rounded by, in steps of the grid.
-    pub(crate) fn shift_rounding(format: &EngineFormat) -> u32 {
-        1 + (1 << format.grid_fraction().saturating_sub(format.word_fraction()))
+        (up(missed.sum(), FINE - grid) + i64::from(self.format.shift_rounding())) as u32
     }
 
     /// The row of a direction h: w = M^T h as a sum of three directions, and an upper bound of what the rounded factors miss.

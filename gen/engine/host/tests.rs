@@ -1,6 +1,7 @@
 //! Tests of images and queries, and of the reference model over them: volumes against rational arithmetic, no pair lost, the
 //! bound of the stack, and what happens on bad data.
 
+mod snapped;
 mod tiny;
 
 use super::*;

@@ -32,7 +32,9 @@ pub const QUERIES: &[u32] = &[2, 4];
 #[doc(hidden)]
 pub const ENGINES: RangeInclusive<u32> = 1..=16;
 /// Options of the read port: block RAM has none, and one stream to fill it.
-const OF_PORT: [&str; 4] = ["memory-width", "axi-id-bits", "watchdog", "engines"];
+const OF_PORT: [&str; 5] = ["memory-width", "axi-id-bits", "watchdog", "engines", "memory-ports"];
+/// Options of several engines.
+const OF_SEVERAL: [&str; 2] = ["engines", "memory-ports"];
 /// Legal numbers of pairs of nodes in flight.
 pub const IN_FLIGHT: RangeInclusive<u32> = 1..=64;
 /// Legal capacities of the stack, the bound by the height of trees aside.
@@ -66,6 +68,27 @@ impl Choice for Memory {
         match self {
             Self::Axi => "axi",
             Self::BlockRam => "block-ram",
+        }
+    }
+}
+
+/// The read ports of several engines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[doc(hidden)]
+pub enum MemoryPorts {
+    /// One for all.
+    One,
+    /// One for each.
+    Each,
+}
+
+impl Choice for MemoryPorts {
+    const ALL: &'static [Self] = &[Self::One, Self::Each];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::One => "one",
+            Self::Each => "each",
         }
     }
 }
@@ -130,9 +153,12 @@ option_set! {
     /// Bits of the number of a block, 8 to 28, with --memory axi at most 26: a tree has no more blocks
     "block-number-bits" block_number_bits: u32 = 24,
         [value_name = "N", value_parser = whole(BLOCK_NUMBER_BITS), allow_negative_numbers = true];
-    /// Engines behind one stream and one read port, 1 to 16: a query goes to one that is free, and answers come in any order
+    /// Engines behind one stream, 1 to 16: a query goes to one that is free, and answers come in any order
     "engines" engines: u32 = 1,
         [value_name = "N", value_parser = whole(ENGINES), allow_negative_numbers = true];
+    /// Read ports of several engines: one for all, or one for each
+    "memory-ports" memory_ports: MemoryPorts = MemoryPorts::One,
+        [value_name = "KIND", value_parser = choice::<MemoryPorts>()];
 }
 
 impl EngineParams {
@@ -157,7 +183,8 @@ impl EngineParams {
     /// Whether the engine has an option: with block RAM there is no read port, and one engine is by itself.
     #[doc(hidden)]
     pub fn has(&self, option: &str) -> bool {
-        (self.memory == Memory::Axi || !OF_PORT.contains(&option)) && (option != "engines" || self.engines > 1)
+        (self.memory == Memory::Axi || !OF_PORT.contains(&option))
+            && (self.engines > 1 || !OF_SEVERAL.contains(&option))
     }
 
     /// Refuses options of the read port where there is none: `given` are those that somebody chose.
@@ -178,8 +205,12 @@ impl EngineParams {
         }
     }
 
-    /// Refuses several engines with block RAM.
+    /// Refuses several engines with block RAM, and ports of each where there is one.
     pub(crate) fn several(&self) -> Result<(), ParamError> {
+        if self.engines == 1 && self.memory_ports == MemoryPorts::Each {
+            let legal = "expected --engines 2 or more with it".to_owned();
+            return Err(ParamError { option: "memory-ports", found: self.memory_ports.name().to_owned(), legal });
+        }
         let options = [("engines", self.engines.to_string())];
         if self.engines > 1 { self.refuse_of_port(options.iter()) } else { Ok(()) }
     }

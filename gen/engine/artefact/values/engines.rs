@@ -1,6 +1,7 @@
 //! Several engines.
 
 use crate::artefact::EngineDesign;
+use crate::params::MemoryPorts;
 use crate::words::QueryFlags;
 use efsat_unit::words::PacketKind;
 
@@ -16,6 +17,12 @@ pub(crate) struct Engines {
     pub count: u32,
     /// Their numbers.
     pub each: Vec<u32>,
+    /// The read ports of the top, [`EngineDesign::read_ports`].
+    pub ports: Vec<String>,
+    /// The same of one engine.
+    pub port: [String; 1],
+    /// Whether each has a port of its own.
+    pub own_ports: bool,
     /// Queries that an engine has: those in flight, and one that waits.
     pub most_queries: u32,
     pub answer_places: u32,
@@ -34,6 +41,9 @@ impl Engines {
         let count = design.params.engines;
         let kind = |kind| format!("{:02x}", design.format.stream.header(kind) as u8);
         Self {
+            ports: design.read_ports(),
+            port: [String::new()],
+            own_ports: design.params.memory_ports == MemoryPorts::Each,
             several: count > 1,
             count,
             each: (0..count).collect(),
