@@ -288,11 +288,14 @@ fn is_met(expression: &str, allowed: &[&str]) -> bool {
         .all(|part| part.split(" OR ").any(|licence| allowed.contains(&licence.trim_matches(['(', ')', ' ']))))
 }
 
-/// The packages that a workspace depends on, each with its licence; none if they are not here and cannot be fetched.
+/// The packages that a workspace depends on, each with its licence; none if they are not here and cannot be fetched. A lock file that is
+/// behind its manifests is a fault.
 fn licences(folder: &Path, more: &[&str]) -> Option<Vec<(String, String)>> {
     let arguments = ["tree", "--workspace", "--edges", "normal,build,dev", "--prefix", "none", "--format", "{p}|{l}"];
     let mut cargo = Command::new(env!("CARGO"));
     let output = cargo.args(arguments).arg("--locked").args(more).current_dir(folder).output().unwrap();
+    let why = String::from_utf8_lossy(&output.stderr);
+    assert!(!why.contains("cannot update the lock file"), "{}: {why}", folder.display());
     let tree = output.status.success().then(|| String::from_utf8(output.stdout).unwrap())?;
     // A package that is there before has a star behind it.
     let packages = tree.lines().map(|line| line.trim_end_matches(" (*)")).filter_map(|line| line.split_once('|'));
