@@ -275,7 +275,13 @@ def distances():
         text = f"{float(f'{found:.3g}'):,.0f}" if found >= 99.5 else f"{found:.2g}" if found < 10 else f"{found:.1f}"
         return f"{text} ({times[place, ours] / found:.1f} x)" if ":" in name or "engine" in name else text
 
-    return table(["<distance", "queries", *series], ([place, queries[place], *(time(place, name) for name in series)] for place in places))
+    # The default scene has the first six.
+    default, first = "all of these", places[:6]
+    queries[default] = sum(int(queries[place]) for place in first)
+    for name in series:
+        times[default, name] = sum(int(queries[place]) * times[place, name] for place in first) / queries[default]
+    shown = [*first, default, *places[6:]]
+    return table(["<distance", "queries", *series], ([place, queries[place], *(time(place, name) for name in series)] for place in shown))
 
 
 def engine(scene, name):
