@@ -242,8 +242,10 @@ pub(super) fn core_of(design: &EngineDesign) -> &'static Core {
 /// The name of an engine in a library of FuseSoC.
 fn name_of(design: &EngineDesign, prefix: &Prefix, registers: bool) -> String {
     let usual = EngineParams::default();
-    let unit = Params { tag_width: usual.unit().tag_width, ..design.unit.params.clone() };
-    let of_unit = unit.differences(&Params { method: unit.method, ..usual.unit() }).into_iter();
+    let unit = &design.unit.params;
+    let usual_unit = if unit.method == usual.unit().method { usual.unit() } else { Params::of(unit.method) };
+    let usual_unit = Params { tag_width: unit.tag_width, ..usual_unit };
+    let of_unit = unit.differences(&usual_unit).into_iter();
     let method = (unit.method != usual.unit().method).then(|| unit.method.name().to_owned());
     let usual = usual.options();
     let of_engine = design.options().into_iter().filter(|option| !usual.contains(option));

@@ -324,11 +324,11 @@ mod tests {
         let expected = [
             ("xc2v6000-4", "ise", "efsat.xst", "-p xc2v6000-4-bf957\n"),
             ("xc2v6000-4", "ise", "project.tcl", "project new efsat.ise\n"),
-            ("xc2v6000-4", "ise", "efsat.ucf", "PERIOD \"clk\" 100 MHz HIGH 50 %;"),
+            ("xc2v6000-4", "ise", "efsat.ucf", "PERIOD \"aclk\" 100 MHz HIGH 50 %;"),
             ("xc6slx150-3", "ise", "efsat.xst", "-p xc6slx150-3-fgg676\n"),
             ("xc6slx150-3", "ise", "project.tcl", "project new efsat.xise\n"),
             ("xc7a200t-1", "vivado", "project.tcl", "\"xc7a200tfbg676-1\""),
-            ("xc7a200t-1", "vivado", "efsat.xdc", "-period 10.000 "),
+            ("xc7a200t-1", "vivado", "efsat_ooc.xdc", "-period 10.000 "),
             ("xc7a200t-1", "vivado", "package_ip.tcl", "  [file join $here .. efsat_stream.vhd] \\\n]"),
         ];
         for (device, folder, name, part) in expected {

@@ -237,7 +237,8 @@ pub fn table() -> String {
             register.what.to_owned(),
         ];
         writeln!(text, "| {} |", row.join(" | ")).expect("a string takes text");
-        for field in &register.fields {
+        // A mask has the fields of what it masks, without words of their own.
+        for field in register.fields.iter().filter(|field| !field.what.is_empty()) {
             let bits = if field.bits == 1 { field.low.to_string() } else { format!("{}..{}", field.high(), field.low) };
             writeln!(text, "| | `.{}` | | | {bits} | {} |", field.name, field.what).expect("a string takes text");
         }
