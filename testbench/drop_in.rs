@@ -124,15 +124,23 @@ fn an_engine_has_the_projects_of_a_unit() {
             let script = read(&format!("{project}/project.tcl"));
             for name in named {
                 assert!(dir.join(name).is_file(), "{name}");
-                assert!(name.contains("_tb") || name.contains("example/") || script.contains(name), "{project}: {name}");
+                assert!(
+                    name.contains("_tb") || name.contains("example/") || script.contains(name),
+                    "{project}: {name}"
+                );
             }
             for name in ["vunit/run.py", &format!("cocotb/test_{stem}.py"), &format!("{stem}.sdc")] {
-                assert!(read("README.md").contains(name.split('/').next().unwrap()) && !read(name).is_empty(), "{name}");
+                assert!(
+                    read("README.md").contains(name.split('/').next().unwrap()) && !read(name).is_empty(),
+                    "{name}"
+                );
             }
             if project == "ise" {
                 // What the command line and the project say of registers.
                 assert!(read(&format!("ise/{stem}.xst")).contains("\n-register_balancing No\n"));
-                assert!(script.contains("\"Register Balancing\" No ") && script.contains(&format!("\"rtl\" \"{top}\"")));
+                assert!(
+                    script.contains("\"Register Balancing\" No ") && script.contains(&format!("\"rtl\" \"{top}\""))
+                );
                 continue;
             }
             let ip = read("vivado/package_ip.tcl");
@@ -325,14 +333,19 @@ fn ready_files_name_their_licence() {
                 continue;
             }
             let (name, text) = (path.to_str().unwrap(), std::fs::read_to_string(&path).unwrap());
-            let without =
-                ["files.txt", "files-synthesis.txt", ".vec", ".prj"].iter().any(|end| name.ends_with(end));
+            let without = ["files.txt", "files-synthesis.txt", ".vec", ".prj"].iter().any(|end| name.ends_with(end));
             let is_manifest = name.ends_with(".json");
             let found =
                 text.lines().take(2).filter(|line| line.contains("SPDX-License-Identifier: MIT OR Apache-2.0")).count();
             let of_manifest = text.matches("\"SPDX-License-Identifier\": \"MIT OR Apache-2.0\"").count();
             let all = (found, of_manifest, text.matches("SPDX").count());
-            let expected = if is_manifest { (0, 1, 1) } else if without { (0, 0, 0) } else { (1, 0, 1) };
+            let expected = if is_manifest {
+                (0, 1, 1)
+            } else if without {
+                (0, 0, 0)
+            } else {
+                (1, 0, 1)
+            };
             assert_eq!(all, expected, "{name}");
             named += found;
         }

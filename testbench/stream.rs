@@ -1,7 +1,7 @@
 //! The stream wrapper, the example and the driver in GHDL, against the reference model and the exact oracle.
 
-use crate::extent::share;
 use crate::drop_in::pasted;
+use crate::extent::share;
 use crate::tools::{Ghdl, ghdl};
 use efsat::artefact::{FileSet, Packaging, design_files_with, stream_vectors};
 use efsat::design::{Design, Probes};

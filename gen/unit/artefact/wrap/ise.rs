@@ -99,8 +99,7 @@ pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Option<Project>
     let part = format!("{device}{speed}-{package}");
     let (top, files, stem) = (&projects.lists.top[..], &projects.lists.synthesised[..], &projects.file("")[..]);
     let project = projects.file(&format!(".{ending}"));
-    let script =
-        ProjectScript { header, stem, top, project, releases, family, device, package, speed, options, files };
+    let script = ProjectScript { header, stem, top, project, releases, family, device, package, speed, options, files };
     let texts = [
         (".prj", SourceList { files }.render()),
         (".xst", Script { stem, top, part: &part, options }.render()),
