@@ -71,6 +71,98 @@ fn two_named_designs_and_those_of_the_user_share_a_library() {
     }
 }
 
+/// A design with the instances to copy, each with signals of its own.
+pub(crate) fn pasted(instances: &str) -> String {
+    let block = |(i, text): (usize, &str)| {
+        let code: Vec<&str> = text.lines().skip(1).filter(|line| !line.starts_with("--")).collect();
+        let is_signal = |line: &&&str| line.trim_start().starts_with("signal ");
+        let signals: Vec<&str> = code.iter().filter(is_signal).copied().collect();
+        let statement: Vec<&str> = code.iter().filter(|line| !is_signal(line)).copied().collect();
+        format!("  part_{i} : block\n{}\n  begin\n{}\n  end block;\n", signals.join("\n"), statement.join("\n"))
+    };
+    let blocks: String = instances.split("-- ===== ").skip(1).enumerate().map(block).collect();
+    format!(
+        "library ieee;\nuse ieee.std_logic_1164.all;\nentity pasted is\nend entity pasted;\n\
+         architecture rtl of pasted is\nbegin\n{blocks}end architecture rtl;\n"
+    )
+}
+
+/// What is made of a unit for tools of others is made of an engine, whatever its memory: what a project names is there, its top has the
+/// buses that Vivado looks for, and the instances to copy fit their entities.
+#[test]
+fn an_engine_has_the_projects_of_a_unit() {
+    let home = tempfile::tempdir().unwrap();
+    let small = "--engine --method axes --width 10 --transform-width 26";
+    for (options, stem, top, buses) in [
+        ("--width 8 --transform-width 10".to_owned(), "efsat", "efsat_stream", "s_axis m_axis"),
+        (
+            format!("{small} --memory block-ram --block-lines 256 --triangle-lines 256"),
+            "efsat_engine",
+            "efsat_engine",
+            "s_axis m_axis",
+        ),
+        (
+            format!("{small} --block-lines 32 --triangle-lines 16"),
+            "efsat_engine",
+            "efsat_engine",
+            "s_axis m_axis m_axi",
+        ),
+        (
+            format!("{small} --block-lines 32 --triangle-lines 16 --registers"),
+            "efsat_engine",
+            "efsat_shell",
+            "s_axi m_axi irq",
+        ),
+    ] {
+        for (device, project) in [("xc2v6000-4", "ise"), ("xc7a200t-1", "vivado")] {
+            let dir = &home.path().join(device);
+            succeeds(home.path(), &format!("generate --out {device} --device {device} {options}"));
+            let read = |name: &str| std::fs::read_to_string(dir.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let core = read(&format!("{stem}.core"));
+            let named = core.lines().filter_map(|line| line.trim().strip_prefix("- ")?.split(':').next());
+            assert!(named.clone().count() > 20 && core.contains(&format!("toplevel: {top}\n")), "{core}");
+            let script = read(&format!("{project}/project.tcl"));
+            for name in named {
+                assert!(dir.join(name).is_file(), "{name}");
+                assert!(
+                    name.contains("_tb") || name.contains("example/") || script.contains(name),
+                    "{project}: {name}"
+                );
+            }
+            for name in ["vunit/run.py", &format!("cocotb/test_{stem}.py"), &format!("{stem}.sdc")] {
+                assert!(
+                    read("README.md").contains(name.split('/').next().unwrap()) && !read(name).is_empty(),
+                    "{name}"
+                );
+            }
+            if project == "ise" {
+                // What the command line and the project say of registers.
+                assert!(read(&format!("ise/{stem}.xst")).contains("\n-register_balancing No\n"));
+                assert!(
+                    script.contains("\"Register Balancing\" No ") && script.contains(&format!("\"rtl\" \"{top}\""))
+                );
+                continue;
+            }
+            let ip = read("vivado/package_ip.tcl");
+            let found: Vec<&str> = ip
+                .lines()
+                .filter_map(|line| {
+                    let bus = line.strip_prefix("ipx::associate_bus_interfaces -busif ");
+                    bus.or_else(|| line.strip_prefix("ipx::infer_bus_interface "))?.split(' ').next()
+                })
+                .collect();
+            assert_eq!(found.join(" "), buses, "{options}");
+            assert_eq!(read(&format!("vivado/{stem}_ooc.xdc")), read(&format!("{stem}.sdc")));
+            let Some(tool) = ghdl() else { continue };
+            let ghdl = Ghdl::at(tool, dir);
+            ghdl.analyse(&ghdl.read("files-synthesis.txt").lines().collect::<Vec<_>>());
+            ghdl.write("pasted.vhd", &pasted(&read(&format!("{stem}_instance.vhd.txt"))));
+            ghdl.analyse(&["pasted.vhd"]);
+            ghdl.elaborate("pasted");
+        }
+    }
+}
+
 /// What is around the wrapper, with constants of the package alone.
 const AROUND: &str = "\
 library ieee;
@@ -229,7 +321,7 @@ fn a_testbench_says_one_line_and_fails_after_a_mismatch() {
 }
 
 /// The scripts for ISE and Vivado in a Tcl that knows the tools' commands, but for what they do.
-/// The licence of generated files, once in each that may have comments: all but lists, vectors and JSON.
+/// The licence of generated files, once in each that may have comments: all but lists and vectors.
 #[test]
 fn ready_files_name_their_licence() {
     let ready = Path::new(env!("CARGO_MANIFEST_DIR")).join("rtl-out");
@@ -241,11 +333,20 @@ fn ready_files_name_their_licence() {
                 continue;
             }
             let (name, text) = (path.to_str().unwrap(), std::fs::read_to_string(&path).unwrap());
-            let without =
-                ["files.txt", "files-synthesis.txt", ".vec", ".json", ".prj"].iter().any(|end| name.ends_with(end));
+            let without = ["files.txt", "files-synthesis.txt", ".vec", ".prj"].iter().any(|end| name.ends_with(end));
+            let is_manifest = name.ends_with(".json");
             let found =
                 text.lines().take(2).filter(|line| line.contains("SPDX-License-Identifier: MIT OR Apache-2.0")).count();
-            assert_eq!((found, text.matches("SPDX").count()), if without { (0, 0) } else { (1, 1) }, "{name}");
+            let of_manifest = text.matches("\"SPDX-License-Identifier\": \"MIT OR Apache-2.0\"").count();
+            let all = (found, of_manifest, text.matches("SPDX").count());
+            let expected = if is_manifest {
+                (0, 1, 1)
+            } else if without {
+                (0, 0, 0)
+            } else {
+                (1, 0, 1)
+            };
+            assert_eq!(all, expected, "{name}");
             named += found;
         }
     }
@@ -259,23 +360,36 @@ fn scripts_for_tools_fail_when_the_tool_fails() {
     }
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();
-    for (device, script, commands, result) in [
+    const ENGINE: &str = "--engine --method axes --width 10 --transform-width 26 --registers";
+    for (device, options, script, commands, result) in [
         (
             "xc2v6000-4",
+            "--width 8 --transform-width 10",
             "ise/project.tcl",
             "project xfile",
             ["proc process args { return 1 }", "proc process args { return 0 }"],
         ),
         (
             "xc7a200t-1",
+            ENGINE,
+            "vivado/package_ip.tcl",
+            "create_project add_files get_files set_property current_fileset update_compile_order ipx::package_project \
+             ipx::current_core ipx::associate_bus_interfaces ipx::infer_bus_interface ipx::create_xgui_files \
+             ipx::update_checksums ipx::save_core close_project",
+            ["proc ipx::check_integrity args {}", "proc ipx::check_integrity args { error wrong }"],
+        ),
+        (
+            "xc7a200t-1",
+            ENGINE,
             "vivado/project.tcl",
             "create_project add_files get_files set_property current_fileset get_runs launch_runs wait_on_run open_run \
              report_utilization report_timing_summary",
             ["proc get_property args { return 100% }", "proc get_property args { return 40% }"],
         ),
     ] {
-        succeeds(dir, &format!("generate --out {device} --device {device} --width 8 --transform-width 10"));
+        succeeds(dir, &format!("generate --out {device} --device {device} {options}"));
         let known: String = commands.split_whitespace().map(|name| format!("proc {name} args {{}}\n")).collect();
+        let known = format!("namespace eval ipx {{}}\n{known}");
         let ends = result.map(|result| {
             std::fs::write(dir.join("around.tcl"), format!("{known}{result}\nsource {device}/{script}\n")).unwrap();
             Command::new("tclsh").arg("around.tcl").current_dir(dir).output().unwrap().status.success()

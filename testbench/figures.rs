@@ -37,6 +37,40 @@ fn cheap_tables_are_as_their_commands_make_them() {
     }
 }
 
+/// Timing diagrams are drawn from the sources beside them, and a page shows each; a source that was changed is noticed.
+#[test]
+fn timing_diagrams_are_those_of_their_sources() {
+    if !python() {
+        return;
+    }
+    let drawn = |root: &Path| Command::new("python3").arg(root.join("scripts/waves")).arg("--check").output().unwrap();
+    expect(&drawn(repository()), 0, &[]);
+    let pages: Vec<String> = fs::read_dir(repository().join("docs"))
+        .unwrap()
+        .filter_map(|entry| Some(entry.unwrap().path()).filter(|path| path.extension().is_some_and(|end| end == "md")))
+        .map(|path| fs::read_to_string(path).unwrap())
+        .collect();
+    let home = tempfile::tempdir().unwrap();
+    let copy = home.path();
+    for folder in ["scripts", "docs/waves"] {
+        fs::create_dir_all(copy.join(folder)).unwrap();
+    }
+    fs::copy(repository().join("scripts/waves"), copy.join("scripts/waves")).unwrap();
+    let mut shown = 0;
+    for file in fs::read_dir(repository().join("docs/waves")).unwrap().map(|entry| entry.unwrap().path()) {
+        let name = file.file_name().unwrap().to_str().unwrap();
+        fs::copy(&file, copy.join("docs/waves").join(name)).unwrap();
+        if name.ends_with(".svg") {
+            assert!(pages.iter().any(|page| page.contains(&format!("](waves/{name})"))), "{name}");
+            shown += 1;
+        }
+    }
+    assert_eq!(shown, 4);
+    let source = copy.join("docs/waves/unit.json");
+    fs::write(&source, fs::read_to_string(&source).unwrap().replacen("01.0", "011.", 1)).unwrap();
+    expect(&drawn(copy), 1, &["not as their sources: unit.svg"]);
+}
+
 const PAGE: &str = "# Page\n\nBefore.\n\n<!-- figures: parts -->\n\n| device | multipliers |\n| --- | ---: |\n| `lfe5u-85-6` | 48 |\n\n\
     <!-- end of figures -->\n\nBehind.\n\n<!-- figures: pairs -->\n\nold\n\n<!-- end of figures -->\n";
 

@@ -123,7 +123,7 @@ fn engine(
 
 /// The manifest of the ready designs: their files alone, for each folder has a manifest of its own.
 fn whole_manifest(files: &FileSet) -> String {
-    let manifest = serde_json::json!({ "generator": manifest::generator(), "files": manifest::digests(files) });
+    let manifest = serde_json::json!({ "SPDX-License-Identifier": env!("CARGO_PKG_LICENSE"), "generator": manifest::generator(), "files": manifest::digests(files) });
     serde_json::to_string_pretty(&manifest).expect("keys are strings")
 }
 

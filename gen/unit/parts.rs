@@ -20,7 +20,9 @@ pub use crate::artefact::wrap::host::{HostSide, RETEST, constants_package, retes
 pub use crate::artefact::bits::Bits;
 pub use crate::artefact::files::core::{Core, FileRow};
 pub use crate::artefact::files::project::Project;
+pub use crate::artefact::wrap::drop_in::named;
 pub use crate::artefact::wrap::example::add_top;
+pub use crate::artefact::wrap::projects::Projects;
 pub use crate::artefact::wrap::verilog::verilog_of;
 
 // Words of the stream: vectors, and packets.

@@ -11,6 +11,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.engine_layout.all;
 
 entity engine_block_cache is
   port (
@@ -340,6 +341,7 @@ begin
 
   banks : for i in 0 to words_per_line - 1 generate
     signal bank : lines := (others => (others => '0'));
+    attribute ram_style of bank : signal is "block";
     signal written : std_logic;
   begin
     written <= writes when word_place = i else '0';

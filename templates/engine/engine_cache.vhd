@@ -11,6 +11,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}{{ m.entity }} is
   port (
@@ -321,6 +322,7 @@ begin
 
   banks : for i in 0 to words_per_line - 1 generate
     signal bank : lines := (others => (others => '0'));
+    attribute ram_style of bank : signal is "block";
     signal written : std_logic;
   begin
     written <= writes when word_place = i else '0';

@@ -4,8 +4,7 @@
 #
 # Makes the project {{ project }} for {{ releases }} and synthesises it: xtclsh project.tcl
 #
-# The unit is a core: it has more ports than the part has pins, so no I/O buffers are added, and synthesis is the last
-# step that makes sense without the design around it.
+# It is a core for a design around it, so no I/O buffers are added, and synthesis is the last step that makes sense.
 project new {{ project }}
 project set family {{ family }}
 project set device {{ device }}
@@ -14,11 +13,11 @@ project set speed {{ speed }}
 {%- for file in files %}
 xfile add ../{{ file }}
 {%- endfor %}
-xfile add {{ prefix }}efsat.ucf
-project set top "rtl" "{{ prefix }}efsat"
-project set "Optimization Goal" Speed -process "Synthesize - XST"
-project set "Register Balancing" Yes -process "Synthesize - XST"
-project set "Add I/O Buffers" false -process "Synthesize - XST"
+xfile add {{ stem }}.ucf
+project set top "rtl" "{{ top }}"
+{%- for setting in options %}
+project set "{{ setting.property }}" {{ setting.property_value }} -process "Synthesize - XST"
+{%- endfor %}
 set done [process run "Synthesize - XST"]
 project close
 if {!$done} {

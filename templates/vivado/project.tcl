@@ -6,14 +6,15 @@
 #   vivado -mode batch -source project.tcl [-tclargs PART]
 set part [expr {$argc > 0 ? [lindex $argv 0] : "{{ part }}"}]
 set here [file dirname [file normalize [info script]]]
-create_project -force -part $part {{ prefix }}efsat [file join $here {{ prefix }}efsat]
+create_project -force -part $part {{ stem }} [file join $here {{ stem }}]
 add_files -norecurse [list \
 {%- for file in sources %}
   [file join $here .. {{ file }}] \
 {%- endfor %}
 ]
 set_property file_type VHDL [get_files *.vhd]
-add_files -fileset constrs_1 -norecurse [file join $here {{ prefix }}efsat.xdc]
+add_files -fileset constrs_1 -norecurse [file join $here {{ stem }}_ooc.xdc]
+set_property used_in {synthesis implementation out_of_context} [get_files {{ stem }}_ooc.xdc]
 set_property top {{ top }} [current_fileset]
 set_property -name {STEPS.SYNTH_DESIGN.ARGS.MORE OPTIONS} -value {-mode out_of_context} -objects [get_runs synth_1]
 launch_runs synth_1

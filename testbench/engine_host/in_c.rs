@@ -185,6 +185,12 @@ fn random_pose(rng: &mut ChaCha8Rng, scale: f64) -> (Matrix, [f64; 3]) {
         }
         5 => t[rng.random_range(0..3)] = f64::INFINITY,
         6 => m.as_flattened_mut().iter_mut().for_each(|x| *x = rng.random_range(-1.0..1.0)),
+        // Factors half way between two that their field holds, and shifts half way between two numbers.
+        7 | 8 => {
+            let halves = |x: &mut f64, bits: i32| *x = (*x * f64::from(bits).exp2()).round() / f64::from(bits).exp2();
+            m.as_flattened_mut().iter_mut().for_each(|x| halves(x, 12));
+            t.iter_mut().for_each(|x| halves(x, 29));
+        }
         _ => {}
     }
     (m, t)
@@ -340,6 +346,10 @@ fn images_agree(engine: &EngineParams, unit: &Params, host: &Path, step: usize) 
         [&whole[3][..], &[0]].concat(),
     ]);
     let large = images(&format, 1.0, [0.0; 3]).remove(1).bytes();
+    // Words of a machine with another order of bytes.
+    let swapped =
+        |bytes: usize| -> Vec<u8> { large.chunks(bytes).flat_map(|word| word.iter().rev().copied()).collect() };
+    files.extend([4, 8].map(swapped));
     let changed = |file: &[u8], bit: usize| {
         let mut file = file.to_vec();
         file[bit / 8] ^= 1 << (bit % 8);

@@ -46,6 +46,13 @@ impl Ghdl {
         Self { tool, dir: dir.to_owned(), _scratch: None }
     }
 
+    /// A copy of the folder, with all that was analysed in it.
+    pub fn copy(&self) -> Self {
+        let copy = Self::new(self.tool);
+        super::run(&self.dir, "cp", &["-a", ".", copy.dir.to_str().unwrap()]);
+        copy
+    }
+
     pub fn write(&self, name: &str, text: &str) {
         let path = self.dir.join(name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();

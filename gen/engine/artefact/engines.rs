@@ -2,11 +2,20 @@
 
 use super::EngineDesign;
 use crate::params::MemoryPorts;
+use crate::words::EngineReport;
 use efsat_unit::parts::Core;
 
 /// They as a core.
-pub(super) const CORE: Core =
-    Core { name: "engines", entity: "efsat_engines", label: "engines", verilog: "efsat_engines.v", packets: &[] };
+pub(super) const CORE: Core = Core {
+    name: "engines",
+    what: "Collision engines of EFSAT behind one stream",
+    entity: "efsat_engines",
+    label: "engines",
+    stem: "efsat_engines",
+    played: "sim",
+    report_words: EngineReport::WORDS,
+    packets: &[],
+};
 
 /// What is around the engines, in the order of the data.
 pub(super) const ENTITIES: [(&str, &str); 5] = [

@@ -2,14 +2,16 @@
 
 use super::values::WORD;
 use super::{CORE, EngineDesign, NAME, TESTBENCH, bench, by_number, engine_files, engines, host, registers};
-use crate::params::{Memory, MemoryPorts};
+use crate::params::{EngineParams, Memory, MemoryPorts};
 use crate::words::Command;
 use askama::Template;
 use efsat_hardware::vhdl::lint::lint;
-use efsat_unit::artefact::file_lists::FileLists;
+use efsat_unit::artefact::file_lists::{BenchFiles, FileLists};
 use efsat_unit::artefact::{DesignFilesError, FileSet, Prefix};
 use efsat_unit::design::top::pace;
-use efsat_unit::parts::{FileRow, Project, RETEST, add_top, board, manifest};
+use efsat_unit::params::Params;
+use efsat_unit::params::options::Choice;
+use efsat_unit::parts::{Core, FileRow, Project, Projects, RETEST, add_top, board, manifest, named};
 use efsat_unit::words::PacketKind;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -35,7 +37,9 @@ struct Readme<'a> {
     device: &'static str,
     entities: Vec<FileRow>,
     files: Vec<FileRow>,
-    project: Option<Project>,
+    name: String,
+    stem: &'static str,
+    projects: Vec<Project>,
     testbench: String,
 }
 
@@ -126,18 +130,25 @@ pub fn engine_design_files_with(
     let (constants, package) = host::package(design, prefix);
     sources.push((constants.clone(), package));
     let mut set = FileSet::default();
-    let mut names: Vec<String> = sources.iter().map(|(name, _)| name.clone()).collect();
+    let names: Vec<String> = sources.iter().map(|(name, _)| name.clone()).collect();
     sources.into_iter().for_each(|(name, text)| set.insert(name, text));
+    let core = core_of(design);
+    let bench_files = BenchFiles::new(TESTBENCH, "Testbench of the streams", CORE.played, prefix);
+    let (bench_file, vector_file) = (bench_files.file.clone(), bench_files.vectors.clone());
+    let mut lists = FileLists::new(core, names, vec![bench_files], prefix);
     let mut registers = vec![];
     if extras.registers {
         registers = registers::shell(design, prefix, &design.command_line()).add(&mut set);
-        names.extend(FileLists::registers(prefix));
+        lists = lists.with_registers(prefix);
     }
+    if design.params.memory == Memory::BlockRam {
+        lists = lists.with_example(prefix);
+    }
+    let (lists, names) = (&lists, &lists.synthesised[..]);
     let texts: Vec<(&str, &str)> = names.iter().filter_map(|name| Some((name.as_str(), set.get(name)?))).collect();
     if let Some(finding) = lint(&texts).into_iter().next() {
         return Err(DesignFilesError::Lint(finding));
     }
-    let (bench_file, vector_file) = (format!("{prefix}{TESTBENCH}.vhd"), format!("{prefix}{TESTBENCH}.vec"));
     let row = FileRow::new;
     let mut files = vec![
         row(
@@ -190,34 +201,67 @@ pub fn engine_design_files_with(
     set.insert(&bench_file, bench(design, prefix));
     set.insert(vector_file, vectors.to_owned());
     set.insert(FileLists::SYNTHESISED, format!("{}\n", names.join("\n")));
-    let (mut all, mut project) = (names.clone(), None);
+    set.insert("files.txt", lists.all().join("\n"));
+    let shell = extras.registers.then(|| lists.top.clone());
+    let name = name_of(design, prefix, extras.registers);
+    let projects = Projects {
+        core,
+        prefix,
+        name: &name,
+        pace: &pace(design.unit.interval),
+        command_line,
+        device: design.unit.device,
+        frequency: design.unit.params.frequency,
+        lists,
+        instances: &shell.into_iter().chain([prefix.of(core.entity)]).collect::<Vec<_>>(),
+    };
+    let (rows, mut projects) = projects.add(&mut set);
+    files.extend(rows);
     if design.params.memory == Memory::BlockRam {
         let unit = &design.unit;
         add_top(&mut set, &CORE, unit.params.frequency, [WORD; 2], prefix);
-        all.extend(FileLists::example(prefix));
         files.push(row("example", "The engine behind a UART, a whole design."));
-        project = board::add(&mut set, &CORE, unit, prefix, &names);
-        files.extend(project.as_ref().map(FileRow::of_project));
+        projects.extend(board::add(&mut set, &CORE, unit, prefix, names));
     }
+    files.extend(projects.iter().map(FileRow::of_project));
     for (name, text) in &extras.verilog {
         files.push(FileRow::of_verilog(name));
         set.insert(name, text);
     }
-    all.push(bench_file);
-    all.extend(extras.registers.then(|| FileLists::registers_bench(prefix).file));
-    set.insert("files.txt", format!("{}\n", all.join("\n")));
-    set.insert("README.md", readme(design, prefix, command_line, files, project));
+    set.insert("README.md", readme(design, prefix, command_line, name, files, projects));
     let text = manifest_of(design, command_line, &set);
     set.insert(manifest::NAME, text);
     Ok(set)
+}
+
+/// What is generated: an engine, or several.
+pub(super) fn core_of(design: &EngineDesign) -> &'static Core {
+    if design.params.engines > 1 { &engines::CORE } else { &CORE }
+}
+
+/// The name of an engine in a library of FuseSoC.
+fn name_of(design: &EngineDesign, prefix: &Prefix, registers: bool) -> String {
+    let usual = EngineParams::default();
+    let unit = &design.unit.params;
+    let usual_unit = if unit.method == usual.unit().method { usual.unit() } else { Params::of(unit.method) };
+    let usual_unit = Params { tag_width: unit.tag_width, ..usual_unit };
+    let of_unit = unit.differences(&usual_unit).into_iter();
+    let method = (unit.method != usual.unit().method).then(|| unit.method.name().to_owned());
+    let usual = usual.options();
+    let of_engine = design.options().into_iter().filter(|option| !usual.contains(option));
+    let options = of_unit.chain(of_engine).map(|(option, value)| format!("{option}-{value}"));
+    let words = [(design.by_number, "by-number"), (registers, "registers")];
+    let words = words.into_iter().filter_map(|(there, word)| there.then(|| word.to_owned()));
+    named(&CORE.stem.replace('_', "-"), method.into_iter().chain(options).chain(words), prefix)
 }
 
 fn readme(
     design: &EngineDesign,
     prefix: &Prefix,
     command_line: &str,
+    name: String,
     files: Vec<FileRow>,
-    project: Option<Project>,
+    projects: Vec<Project>,
 ) -> String {
     let params = &design.params;
     let [unit, volume] = design.multipliers();
@@ -267,7 +311,9 @@ fn readme(
         device: design.unit.device.name,
         entities,
         files,
-        project,
+        name,
+        stem: core_of(design).stem,
+        projects,
         testbench: prefix.of(TESTBENCH),
     };
     readme.render().expect("the template renders")

@@ -24,7 +24,7 @@ use crate::design::volume_unit::VolumeDesign;
 use crate::format::EngineFormat;
 use crate::host::{Image, TRIANGLES_AT};
 use crate::params::{EngineParams, Memory, MemoryPorts, OFFSET_BITS};
-use crate::words::LINK_NUMBER_BITS;
+use crate::words::{EngineReport, LINK_NUMBER_BITS};
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
 use efsat_unit::artefact::{Prefix, origin, vhdl_files};
@@ -49,9 +49,12 @@ pub const NAME: &str = "efsat_engine";
 /// The engine as a core; in the example with its trees in block RAM.
 const CORE: Core = Core {
     name: "engine",
+    what: "The collision engine of EFSAT: trees of triangles and a pose in, pairs that touch out",
     entity: NAME,
     label: "engine",
-    verilog: "efsat_engine.v",
+    stem: NAME,
+    played: "sim",
+    report_words: EngineReport::WORDS,
     packets: &[
         "byte first. A packet that is no whole words is answered as malformed. The line has no handshake: send the next packet when the",
         "one before is answered; only a stop may come while a query runs.",

@@ -1,6 +1,7 @@
 //! The engine in Verilog.
 
-use super::{CORE, EngineDesign, engines};
+use super::EngineDesign;
+use super::files::core_of;
 use crate::params::Memory;
 use efsat_unit::artefact::{FileSet, Prefix, VerilogFile};
 use efsat_unit::parts::{board, verilog_of};
@@ -8,6 +9,5 @@ use efsat_unit::parts::{board, verilog_of};
 /// As [`verilog_files`](efsat_unit::artefact::verilog_files), of an engine. It is on a board only with its trees in block RAM.
 pub fn engine_verilog_files(set: &FileSet, design: &EngineDesign, prefix: &Prefix) -> Vec<VerilogFile> {
     let on_board = design.params.memory == Memory::BlockRam;
-    let core = if design.params.engines > 1 { &engines::CORE } else { &CORE };
-    verilog_of(set, core, on_board.then(|| board::verilog_file(&design.unit, prefix)).flatten(), prefix)
+    verilog_of(set, core_of(design), on_board.then(|| board::verilog_file(&design.unit, prefix)).flatten(), prefix)
 }

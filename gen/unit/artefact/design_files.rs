@@ -2,12 +2,13 @@
 
 use super::check::{register_script, stream_vectors, testbench, vectors};
 use super::files::core::{Core, FileRow};
-use super::files::file_lists::FileLists;
+use super::files::file_lists::{BenchFiles, FileLists};
 use super::files::manifest;
 use super::files::project::Project;
 use super::units::{UnitRow, first_sentence, units};
+use super::wrap::projects::Projects;
 use super::wrap::registers::Shell;
-use super::wrap::{board, drop_in, example, host, ise, stream, vivado};
+use super::wrap::{board, drop_in, example, host, stream};
 use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
 use crate::design::Design;
 use crate::design::top::pace;
@@ -95,7 +96,9 @@ pub fn design_files_with(
     let Packaging { stream_width: width, prefix, registers, verilog } = packaging;
     let mut set = FileSet::default();
     let mut described = vec![];
-    let mut core = vec![];
+    let constants = prefix.of("efsat_constants.vhd");
+    let wrapper = format!("{prefix}{}.vhd", stream::NAME);
+    let mut synthesised = vec![constants.clone()];
     let (params, origin) = (&design.params, origin());
     let modules = design.top.hierarchy();
     let entities = modules.iter().map(|module| first_sentence(&module.doc));
@@ -103,9 +106,22 @@ pub fn design_files_with(
     for ((name, text), what) in vhdl_files(design, prefix, command_line)?.into_iter().zip(what) {
         described.push(FileRow { name: name.clone(), what });
         set.insert(name.clone(), text);
-        core.push(name);
+        synthesised.push(name);
     }
-    let mut lists = FileLists::new(core, prefix);
+    synthesised.push(wrapper.clone());
+    let uart_bench = BenchFiles {
+        entity: prefix.of("efsat_uart_tb"),
+        file: format!("example/{prefix}efsat_uart_tb.vhd"),
+        vectors: String::new(),
+        what: "Testbench of the UART example",
+        target: "sim_uart",
+    };
+    let benches = vec![
+        BenchFiles::new(testbench::NAME, "Testbench of the unit", "sim", prefix),
+        BenchFiles::new(stream::TESTBENCH, "Testbench of the stream wrapper", "sim_stream", prefix),
+        uart_bench.clone(),
+    ];
+    let mut lists = FileLists::new(&Core::UNIT, synthesised, benches, prefix).with_example(prefix);
     let format = StreamFormat::new(params, *width);
     if *registers {
         lists = lists.with_registers(prefix);
@@ -116,22 +132,22 @@ pub fn design_files_with(
     }
     let lists = lists;
     let mut describe = |name: &str, what: &str| described.push(FileRow::new(name, what));
-    set.insert(&lists.wrapper, stream::wrapper(design, &format, prefix, &origin));
-    set.insert(&lists.constants, host::package(design, &format, prefix));
-    describe(&lists.constants, "Widths, latency and places in the words of the stream, as VHDL constants for users.");
+    set.insert(&wrapper, stream::wrapper(design, &format, prefix, &origin));
+    set.insert(&constants, host::package(design, &format, prefix));
+    describe(&constants, "Widths, latency and places in the words of the stream, as VHDL constants for users.");
     for (name, text) in host::files(design, &format, prefix) {
         set.insert(name, text);
     }
     describe("host", "The words of the stream in C and in Python, and the exact retest in C.");
-    describe(&lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
-    example::add(&mut set, design, &format, prefix, &lists);
+    describe(&wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
+    example::add(&mut set, design, &format, prefix, &uart_bench);
     describe("example", "The wrapped unit behind a UART, a whole design, and its testbench.");
     if *registers {
         let rows = shell(design, &format, &params.command_line(), prefix).add(&mut set);
         rows.iter().for_each(|row| describe(&row.name, &row.what));
     }
 
-    let synthesised = lists.synthesised();
+    let synthesised = &lists.synthesised[..];
     let texts: Vec<(&str, &str)> =
         synthesised.iter().filter_map(|name| set.get(name).map(|text| (name.as_ref(), text))).collect();
     if let Some(finding) = lint(&texts).into_iter().next() {
@@ -159,21 +175,28 @@ pub fn design_files_with(
     describe(&stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the expected answers.");
     set.insert("files.txt", lists.all().join("\n"));
     describe("files.txt", "All VHDL files in dependency order, the testbenches last.");
-    set.insert(FileLists::SYNTHESISED, lists.synthesised().join("\n"));
+    set.insert(FileLists::SYNTHESISED, synthesised.join("\n"));
     describe(FileLists::SYNTHESISED, "The VHDL files to synthesise: the unit, its wrapper and the constants.");
     describe(
         manifest::NAME,
         "Parameters, ports, number formats, latency, the words of the stream, and a SHA-256 per file, for programs.",
     );
-    for (name, what) in drop_in::add(&mut set, design, &format, packaging, &lists) {
-        describe(&name, what);
-    }
-    let projects = [
-        ise::add(&mut set, design, prefix, &synthesised),
-        vivado::add(&mut set, design, packaging, command_line, &lists),
-        board::add(&mut set, &Core::UNIT, design, prefix, &synthesised),
-    ];
-    let projects: Vec<Project> = projects.into_iter().flatten().collect();
+    let shell = registers.then(|| lists.top.clone());
+    let instances = [prefix.of(stream::NAME), prefix.of("efsat")];
+    let projects = Projects {
+        core: &Core::UNIT,
+        prefix,
+        name: &drop_in::core_name(params, packaging),
+        pace: &pace(design.interval),
+        command_line,
+        device: design.device,
+        frequency: params.frequency,
+        lists: &lists,
+        instances: &shell.into_iter().chain(instances).collect::<Vec<_>>(),
+    };
+    let (rows, mut projects) = projects.add(&mut set);
+    described.extend(rows);
+    projects.extend(board::add(&mut set, &Core::UNIT, design, prefix, synthesised));
     described.extend(projects.iter().map(FileRow::of_project));
     for (name, text) in verilog.iter().flatten() {
         set.insert(name, text);
@@ -301,11 +324,11 @@ mod tests {
         let expected = [
             ("xc2v6000-4", "ise", "efsat.xst", "-p xc2v6000-4-bf957\n"),
             ("xc2v6000-4", "ise", "project.tcl", "project new efsat.ise\n"),
-            ("xc2v6000-4", "ise", "efsat.ucf", "PERIOD \"clk\" 100 MHz HIGH 50 %;"),
+            ("xc2v6000-4", "ise", "efsat.ucf", "PERIOD \"aclk\" 100 MHz HIGH 50 %;"),
             ("xc6slx150-3", "ise", "efsat.xst", "-p xc6slx150-3-fgg676\n"),
             ("xc6slx150-3", "ise", "project.tcl", "project new efsat.xise\n"),
             ("xc7a200t-1", "vivado", "project.tcl", "\"xc7a200tfbg676-1\""),
-            ("xc7a200t-1", "vivado", "efsat.xdc", "-period 10.000 "),
+            ("xc7a200t-1", "vivado", "efsat_ooc.xdc", "-period 10.000 "),
             ("xc7a200t-1", "vivado", "package_ip.tcl", "  [file join $here .. efsat_stream.vhd] \\\n]"),
         ];
         for (device, folder, name, part) in expected {

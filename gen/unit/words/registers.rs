@@ -220,7 +220,7 @@ pub fn registers(behind: Behind, parameters: u32) -> Vec<Register> {
         },
         Register {
             fields: INTERRUPTS.map(|field| Field { what: "", ..field }).into(),
-            ..register("mask", 0x44, Access::ReadWrite, "those that set `irq`")
+            ..register("mask", 0x44, Access::ReadWrite, "those that set `irq`, by the bits of `pending`")
         },
         Register {
             reset: 1 << 8,

@@ -3,8 +3,7 @@
 #
 # Makes the project efsat.ise for ISE 8.1 to 10.1 and synthesises it: xtclsh project.tcl
 #
-# The unit is a core: it has more ports than the part has pins, so no I/O buffers are added, and synthesis is the last
-# step that makes sense without the design around it.
+# It is a core for a design around it, so no I/O buffers are added, and synthesis is the last step that makes sense.
 project new efsat.ise
 project set family Virtex2
 project set device xc2v6000
@@ -38,10 +37,17 @@ xfile add ../pair_pipeline.vhd
 xfile add ../efsat.vhd
 xfile add ../efsat_stream.vhd
 xfile add efsat.ucf
-project set top "rtl" "efsat"
+project set top "rtl" "efsat_stream"
 project set "Optimization Goal" Speed -process "Synthesize - XST"
-project set "Register Balancing" Yes -process "Synthesize - XST"
+project set "Optimization Effort" Normal -process "Synthesize - XST"
+project set "Keep Hierarchy" No -process "Synthesize - XST"
+project set "Global Optimization Goal" AllClockNets -process "Synthesize - XST"
+project set "Register Balancing" No -process "Synthesize - XST"
+project set "Shift Register Extraction" true -process "Synthesize - XST"
 project set "Add I/O Buffers" false -process "Synthesize - XST"
+project set "Multiplier Style" Auto -process "Synthesize - XST"
+project set "Max Fanout" 500 -process "Synthesize - XST"
+project set "Slice Utilization Ratio" 100 -process "Synthesize - XST"
 set done [process run "Synthesize - XST"]
 project close
 if {!$done} {

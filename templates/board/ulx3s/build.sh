@@ -11,7 +11,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top={{ prefix }}efsat_ulx3s
-for file in "$here/../{{ prefix }}{{ core.verilog }}" "$here/$top.v"; do
+for file in "$here/../{{ prefix }}{{ core.stem }}.v" "$here/$top.v"; do
   if [ ! -f "$file" ]; then
     echo "error: $file is not there: expected a design that was generated with --verilog" >&2
     exit 2
@@ -37,7 +37,7 @@ cd "${1:-$here/build}"
 # A bitstream of an earlier run would stand beside the logs of a run that fails.
 rm -f "$top.bit"
 echo "Yosys: synthesis, log in yosys.log"
-"$yosys" -q -l yosys.log -p "read_verilog \"$here/../{{ prefix }}{{ core.verilog }}\" \"$here/$top.v\" \"$here/${top}_clock.v\";
+"$yosys" -q -l yosys.log -p "read_verilog \"$here/../{{ prefix }}{{ core.stem }}.v\" \"$here/$top.v\" \"$here/${top}_clock.v\";
   synth_ecp5 -abc9 -top $top -json $top.json"
 echo "nextpnr: placement and routing for {{ megahertz }} MHz, log in nextpnr.log"
 "$nextpnr" --85k --package CABGA381 --speed 6 --placer static --router router1 --seed "${SEED:-1}" --freq {{ megahertz }} \

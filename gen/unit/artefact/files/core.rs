@@ -7,12 +7,18 @@ use super::project::Project;
 pub struct Core {
     /// What sentences call it.
     pub name: &'static str,
+    /// What it is, in a line of a catalogue.
+    pub what: &'static str,
     /// The entity with the streams, without a prefix.
     pub entity: &'static str,
     /// Its instance in the example.
     pub label: &'static str,
-    /// Its file in Verilog, without a prefix.
-    pub verilog: &'static str,
+    /// Files that are named after it, without a prefix and an ending: of projects, and its copy in Verilog.
+    pub stem: &'static str,
+    /// The target of the testbench whose vectors are words of its streams.
+    pub played: &'static str,
+    /// Words of a report behind pairs in any order; 0 if answers are in order.
+    pub report_words: usize,
     /// What the example says of its packets, in lines of a header.
     pub packets: &'static [&'static str],
 }
@@ -21,9 +27,12 @@ impl Core {
     /// The unit in its stream wrapper.
     pub const UNIT: Self = Self {
         name: "unit",
+        what: "EFSAT, an exact triangle-triangle intersection unit",
         entity: "efsat_stream",
         label: "wrapper",
-        verilog: "efsat.v",
+        stem: "efsat",
+        played: "sim_stream",
+        report_words: 0,
         packets: &[
             "byte first. A packet that is no whole words is answered as malformed. A record takes far longer to arrive than its",
             "answer to leave, so nothing waits here and no handshake is needed.",

@@ -1,6 +1,7 @@
 //! The VHDL files of a design by what they are for: every list of files in every project comes from here.
 
 use super::Prefix;
+use super::core::Core;
 
 /// A testbench.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,22 +18,24 @@ pub struct BenchFiles {
     pub target: &'static str,
 }
 
+impl BenchFiles {
+    /// A testbench with vectors.
+    pub fn new(entity: &str, what: &'static str, target: &'static str, prefix: &Prefix) -> Self {
+        let entity = prefix.of(entity);
+        Self { file: format!("{entity}.vhd"), vectors: format!("{entity}.vec"), entity, what, target }
+    }
+}
+
 /// File names below the design's folder, each list in dependency order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileLists {
-    /// The package of constants for users.
-    pub constants: String,
-    /// The unit; its top is the last.
-    pub core: Vec<String>,
-    /// The stream wrapper.
-    pub wrapper: String,
-    /// The registers around it, if there are any.
-    pub registers: Vec<String>,
+    /// What is synthesised, with the constants for what is around.
+    pub synthesised: Vec<String>,
     /// The entity around everything that is synthesised.
     pub top: String,
-    /// The example design around the wrapper.
-    pub example: [String; 3],
-    /// Testbenches of the unit, the wrapper and the example, and of the registers.
+    /// The example design around the core, if there is one.
+    pub example: Vec<String>,
+    /// Testbenches; those of the registers are the last.
     pub benches: Vec<BenchFiles>,
 }
 
@@ -50,14 +53,7 @@ impl FileLists {
 
     /// The testbench of the registers.
     pub fn registers_bench(prefix: &Prefix) -> BenchFiles {
-        let entity = prefix.of("efsat_registers_tb");
-        BenchFiles {
-            file: format!("{entity}.vhd"),
-            vectors: format!("{entity}.vec"),
-            entity,
-            what: "Testbench of the registers",
-            target: "sim_registers",
-        }
+        BenchFiles::new("efsat_registers_tb", "Testbench of the registers", "sim_registers", prefix)
     }
 
     /// The files of the example.
@@ -65,46 +61,28 @@ impl FileLists {
         ["uart_receiver", "uart_transmitter", "efsat_uart_top"].map(|entity| format!("example/{prefix}{entity}.vhd"))
     }
 
-    /// The lists of a design whose entities have these files.
-    pub fn new(core: Vec<String>, prefix: &Prefix) -> Self {
-        let file = |folder: &str, entity: &str| format!("{folder}{prefix}{entity}.vhd");
-        let bench = |entity, folder: &str, has_vectors, what, target| {
-            let vectors = if has_vectors { format!("{prefix}{entity}.vec") } else { String::new() };
-            BenchFiles { entity: prefix.of(entity), file: file(folder, entity), vectors, what, target }
-        };
-        Self {
-            constants: file("", "efsat_constants"),
-            core,
-            wrapper: file("", "efsat_stream"),
-            example: Self::example(prefix),
-            registers: vec![],
-            top: prefix.of("efsat_stream"),
-            benches: vec![
-                bench("efsat_tb", "", true, "Testbench of the unit", "sim"),
-                bench("efsat_stream_tb", "", true, "Testbench of the stream wrapper", "sim_stream"),
-                bench("efsat_uart_tb", "example/", false, "Testbench of the UART example", "sim_uart"),
-            ],
-        }
+    /// The lists of a core whose entities have these files; without an example.
+    pub fn new(core: &Core, synthesised: Vec<String>, benches: Vec<BenchFiles>, prefix: &Prefix) -> Self {
+        Self { synthesised, top: prefix.of(core.entity), example: vec![], benches }
     }
 
-    /// With registers around the wrapper.
+    /// With an example around the core.
+    pub fn with_example(mut self, prefix: &Prefix) -> Self {
+        self.example = Self::example(prefix).into();
+        self
+    }
+
+    /// With registers around the core.
     pub fn with_registers(mut self, prefix: &Prefix) -> Self {
-        self.registers = Self::registers(prefix).into();
+        self.synthesised.extend(Self::registers(prefix));
         self.top = prefix.of(Self::SHELL);
         self.benches.push(Self::registers_bench(prefix));
         self
     }
 
-    /// What is synthesised: the unit and its wrapper, and the constants for what is around them.
-    pub fn synthesised(&self) -> Vec<String> {
-        let constants = std::iter::once(&self.constants);
-        constants.chain(&self.core).chain([&self.wrapper]).chain(&self.registers).cloned().collect()
-    }
-
     /// All files, testbenches last.
     pub fn all(&self) -> Vec<String> {
-        let example = self.example.iter().cloned();
-        let benches = self.benches.iter().map(|bench| bench.file.clone());
-        self.synthesised().into_iter().chain(example).chain(benches).collect()
+        let benches = self.benches.iter().map(|bench| &bench.file);
+        self.synthesised.iter().chain(&self.example).chain(benches).cloned().collect()
     }
 }

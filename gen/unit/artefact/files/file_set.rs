@@ -81,11 +81,11 @@ fn licensed(name: &str, text: String) -> String {
         Some("vhd") => ("--", ""),
         Some("v" | "cpp") => ("//", ""),
         Some("h") => ("/*", " */"),
-        Some("md") => ("<!--", " -->"),
-        Some("py" | "tcl" | "xdc" | "ucf" | "xst" | "lpf" | "sh" | "core") => ("#", ""),
+        Some("md" | "svd") => ("<!--", " -->"),
+        Some("py" | "tcl" | "xdc" | "sdc" | "ucf" | "xst" | "lpf" | "sh" | "core") => ("#", ""),
         _ => return text,
     };
-    let is_first = |line: &&str| line.starts_with("#!") || line.starts_with("CAPI=");
+    let is_first = |line: &&str| line.starts_with("#!") || line.starts_with("CAPI=") || line.starts_with("<?xml");
     let first = text.split_inclusive('\n').next().filter(is_first).unwrap_or_default();
     let licence = concat!("SPDX-License-Identifier: ", env!("CARGO_PKG_LICENSE"));
     format!("{first}{open} {licence}{close}\n{}", &text[first.len()..])

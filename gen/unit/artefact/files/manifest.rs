@@ -18,6 +18,8 @@ pub const NAME: &str = "manifest.json";
 #[derive(Serialize)]
 struct Manifest<'a, T> {
     generator: String,
+    #[serde(rename = "SPDX-License-Identifier")]
+    license: &'static str,
     command_line: &'a str,
     #[serde(flatten)]
     what: T,
@@ -36,7 +38,13 @@ pub fn digests(files: &FileSet) -> BTreeMap<&str, String> {
 
 /// The manifest of a set of files.
 pub fn of(command_line: &str, what: impl Serialize, files: &FileSet) -> String {
-    let manifest = Manifest { generator: generator(), command_line, what, files: digests(files) };
+    let manifest = Manifest {
+        generator: generator(),
+        license: env!("CARGO_PKG_LICENSE"),
+        command_line,
+        what,
+        files: digests(files),
+    };
     serde_json::to_string_pretty(&manifest).expect("keys are strings and numbers are finite")
 }
 

@@ -1,21 +1,21 @@
-//! Projects for build tools, and instances to copy.
+//! Files that every core has for tools of others: FuseSoC, VUnit, cocotb, and instances to copy.
 
-use super::registers::shell_ports;
-use crate::artefact::files::file_lists::{BenchFiles, FileLists};
+use super::projects::{Port, Projects};
+use crate::artefact::files::core::{Core, FileRow};
+use crate::artefact::files::file_lists::BenchFiles;
 use crate::artefact::{FileSet, Packaging, Prefix, origin};
-use crate::design::Design;
 use crate::params::options::Choice;
 use crate::params::{Method, Params};
-use crate::words::{StreamFormat, StreamWidth};
+use crate::words::StreamWidth;
 use askama::Template;
 use efsat_hardware::device::{Device, Family, Part};
-use efsat_hardware::op::Type;
 
 #[derive(Template)]
 #[template(path = "drop-in/efsat.core", escape = "none")]
-struct Core<'a> {
+struct FuseSoc<'a> {
     header: &'a [String],
-    core: &'a str,
+    name: &'a str,
+    what: &'a str,
     top: &'a str,
     version: &'static str,
     device: &'static str,
@@ -49,25 +49,25 @@ impl Synthesis {
     }
 }
 
-/// The name of the FuseSoC core: by what it differs from the default design of its method, so that cores of all parameters
-/// can lie in one library; or by the prefix.
-pub(in crate::artefact) fn core_name(params: &Params, packaging: &Packaging) -> String {
-    let mut name = packaging.prefix.of("efsat");
-    if packaging.prefix.name().is_none() {
-        if params.method != Method::Axes {
-            name.push_str(&format!("-{}", params.method.name()));
-        }
-        let differences = params.differences(&Params::of(params.method)).into_iter();
-        let stream = (packaging.stream_width != StreamWidth::default())
-            .then(|| ("stream-width", packaging.stream_width.name().to_owned()));
-        for (option, value) in differences.chain(stream) {
-            name.push_str(&format!("-{option}-{}", value.replace('+', "plus-")));
-        }
-        if packaging.registers {
-            name.push_str("-registers");
-        }
+/// The name of a core in FuseSoC: by what it differs from the default one of its kind, so that cores of all options can lie in one
+/// library; or by the prefix. `differences` are options with their values, or words.
+pub fn named(stem: &str, differences: impl Iterator<Item = String>, prefix: &Prefix) -> String {
+    let mut name = prefix.of(stem);
+    if prefix.name().is_none() {
+        differences.for_each(|difference| name.extend(["-", &difference.replace('+', "plus-")]));
     }
     format!("efsat:core:{name}")
+}
+
+/// The name of a unit.
+pub(in crate::artefact) fn core_name(params: &Params, packaging: &Packaging) -> String {
+    let method = (params.method != Method::Axes).then(|| params.method.name().to_owned());
+    let differences = params.differences(&Params::of(params.method)).into_iter();
+    let stream = (packaging.stream_width != StreamWidth::default())
+        .then(|| ("stream-width", packaging.stream_width.name().to_owned()));
+    let options = differences.chain(stream).map(|(option, value)| format!("{option}-{value}"));
+    let registers = packaging.registers.then(|| "registers".to_owned());
+    named(Core::UNIT.stem, method.into_iter().chain(options).chain(registers), &packaging.prefix)
 }
 
 #[derive(Template)]
@@ -82,86 +82,65 @@ struct VUnit<'a> {
 #[template(path = "drop-in/efsat_instance.vhd.txt", escape = "none")]
 struct Instances<'a> {
     header: &'a [String],
-    prefix: &'a Prefix,
-    instances: Vec<Instance>,
+    instances: Vec<Instance<'a>>,
 }
 
-struct Instance {
-    entity: String,
+struct Instance<'a> {
+    entity: &'a str,
     ports: Vec<Port>,
 }
 
-struct Port {
-    name: String,
-    signal: String,
-    ty: String,
+#[derive(Template)]
+#[template(path = "drop-in/test_efsat.py", escape = "none")]
+struct Cocotb<'a> {
+    header: &'a [String],
+    core: &'a Core,
+    entity: String,
+    vectors: &'a str,
+    report_words: usize,
+    has_memory: bool,
 }
 
-fn vector(bits: u32) -> String {
-    match bits {
-        1 => "std_logic".to_owned(),
-        _ => format!("std_logic_vector({} downto 0)", bits - 1),
-    }
-}
-
-/// Ports with a signal of the same name for each.
-fn instance(entity: String, ports: Vec<(String, u32)>) -> Instance {
-    let port = |(name, bits): (String, u32)| Port { signal: name.clone(), ty: vector(bits), name };
-    Instance { entity, ports: ports.into_iter().map(port).collect() }
-}
-
-fn instances(design: &Design, format: &StreamFormat, packaging: &Packaging) -> Vec<Instance> {
-    let prefix = &packaging.prefix;
-    let top = &design.top;
-    let bits = |ty: Type| ty.bits;
-    let inputs = top.inputs.iter().map(|id| (top.signal(*id).name(), bits(top.signal(*id).ty)));
-    let outputs = top.outputs.iter().map(|(name, id)| (name.to_string(), bits(top.signal(*id).ty)));
-    let unit = [("clk".to_owned(), 1)].into_iter().chain(inputs).chain(outputs).collect();
-    let side = |side: &str, bits: u32| {
-        [("tdata", bits), ("tkeep", bits / 8), ("tvalid", 1), ("tlast", 1), ("tready", 1)]
-            .map(|(name, bits)| (format!("{side}_{name}"), bits))
+/// Adds all files; what each is.
+pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Vec<FileRow> {
+    let Projects { core, prefix, name, device, lists, .. } = *projects;
+    let (header, benches) = (&origin()[..], &lists.benches[..]);
+    let fuse_soc = FuseSoc {
+        header,
+        name,
+        what: core.what,
+        top: &lists.top,
+        version: env!("CARGO_PKG_VERSION"),
+        device: device.name,
+        synthesis: Synthesis::new(device),
+        sources: &lists.synthesised,
+        example: &lists.example,
+        benches,
     };
-    let control = ["aclk", "aresetn"].map(|name| (name.to_owned(), 1));
-    let wrapper =
-        control.into_iter().chain(side("s_axis", format.width.bits())).chain(side("m_axis", format.answer_width()));
-    let shell = packaging.registers.then(|| instance(prefix.of(FileLists::SHELL), shell_ports("")));
-    let wrapper = instance(prefix.of("efsat_stream"), wrapper.collect());
-    shell.into_iter().chain([wrapper, instance(prefix.of("efsat"), unit)]).collect()
-}
-
-/// Adds all projects; returns name (or folder) and description of each.
-pub(in crate::artefact) fn add(
-    set: &mut FileSet,
-    design: &Design,
-    format: &StreamFormat,
-    packaging: &Packaging,
-    lists: &FileLists,
-) -> [(String, &'static str); 3] {
-    let (header, prefix) = (&origin()[..], &packaging.prefix);
-    let sources = &lists.synthesised()[..];
-    let (benches, example) = (&lists.benches[..], &lists.example[..]);
-    let version = env!("CARGO_PKG_VERSION");
-    let (device, synthesis) = (design.device.name, Synthesis::new(design.device));
-    let core = &core_name(&design.params, packaging)[..];
+    let instance = |entity: &'_ String| projects.ports(set, entity);
+    let instances = projects.instances.iter().map(|entity| Instance { entity, ports: instance(entity) }).collect();
+    let entity = prefix.of(core.entity);
+    let has_memory = projects.ports(set, &entity).iter().any(|port| port.name == "m_axi_araddr");
+    let played = benches.iter().find(|bench| bench.target == core.played).expect("a core has vectors of its streams");
+    let cocotb = Cocotb { header, core, entity, vectors: &played.vectors, report_words: core.report_words, has_memory };
+    let test = format!("test_{}", projects.file(".py"));
     let texts = [
-        (
-            prefix.of("efsat.core"),
-            Core { header, core, top: &lists.top, version, device, synthesis, sources, example, benches }.render(),
-        ),
+        (projects.file("_instance.vhd.txt"), Instances { header, instances }.render()),
+        (projects.file(".core"), fuse_soc.render()),
         ("vunit/run.py".to_owned(), VUnit { header, prefix, benches }.render()),
-        (
-            prefix.of("efsat_instance.vhd.txt"),
-            Instances { header, prefix, instances: instances(design, format, packaging) }.render(),
-        ),
+        (format!("cocotb/{test}"), cocotb.render()),
+    ];
+    let row = |name: &str, what: &str| FileRow::new(name, what);
+    let rows = vec![
+        row(&texts[0].0, &format!("Instances of the {}, to copy into a design.", core.name)),
+        row(&texts[1].0, "Core for FuseSoC: one target per testbench, lint, and synthesis for the device."),
+        row("vunit", "VUnit run script for all testbenches."),
+        row("cocotb", "A test in cocotb that plays the vectors of the streams."),
     ];
     for (name, text) in texts {
         set.insert(name, text.expect("the template renders"));
     }
-    [
-        (prefix.of("efsat_instance.vhd.txt"), "Instances of the unit and of the wrapper, to copy into a design."),
-        (prefix.of("efsat.core"), "Core for FuseSoC: one target per testbench, lint, and synthesis for the device."),
-        ("vunit".to_owned(), "VUnit run script for all testbenches."),
-    ]
+    rows
 }
 
 #[cfg(test)]

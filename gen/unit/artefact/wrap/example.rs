@@ -2,7 +2,7 @@
 
 use crate::artefact::bits::Bits;
 use crate::artefact::files::core::Core;
-use crate::artefact::files::file_lists::FileLists;
+use crate::artefact::files::file_lists::{BenchFiles, FileLists};
 use crate::artefact::{FileSet, Prefix, origin};
 use crate::design::Design;
 use crate::golden::Golden;
@@ -125,10 +125,10 @@ pub(in crate::artefact) fn add(
     design: &Design,
     format: &StreamFormat,
     prefix: &Prefix,
-    lists: &FileLists,
+    file: &BenchFiles,
 ) {
     add_top(set, &Core::UNIT, design.params.frequency, [format.width.bits(), format.answer_width()], prefix);
-    set.insert(&lists.benches[2].file, bench(design, format, prefix, &origin()));
+    set.insert(&file.file, bench(design, format, prefix, &origin()));
 }
 
 /// Adds the example around a core with words of so many bits in and out.

@@ -1,8 +1,8 @@
 //! Project files for ISE, for devices that it knows: the last release with Virtex-II is 10.1, Spartan-6 ends with 14.7.
 
+use super::projects::Projects;
 use crate::artefact::files::project::Project;
-use crate::artefact::{FileSet, Prefix, origin};
-use crate::design::Design;
+use crate::artefact::{FileSet, origin};
 use askama::Template;
 use efsat_hardware::device::{Family, Part};
 
@@ -15,9 +15,10 @@ struct SourceList<'a> {
 #[derive(Template)]
 #[template(path = "ise/efsat.xst", escape = "none")]
 struct Script<'a> {
-    prefix: &'a Prefix,
+    stem: &'a str,
+    top: &'a str,
     part: &'a str,
-    options: &'static [&'static str],
+    options: &'a [Setting],
 }
 
 #[derive(Template)]
@@ -31,51 +32,98 @@ struct Constraints<'a> {
 #[template(path = "ise/project.tcl", escape = "none")]
 struct ProjectScript<'a> {
     header: &'a [String],
-    prefix: &'a Prefix,
+    stem: &'a str,
+    top: &'a str,
     project: String,
     releases: &'static str,
     family: &'static str,
     device: &'static str,
     package: &'static str,
     speed: &'static str,
+    options: &'a [Setting],
     files: &'a [String],
 }
 
-/// Adds the project if ISE knows the device; `sources` are the synthesizable files in dependency order.
-pub(in crate::artefact) fn add(
-    set: &mut FileSet,
-    design: &Design,
-    prefix: &Prefix,
-    sources: &[String],
-) -> Option<Project> {
-    let (releases, ending, options): (_, _, &[&str]) = match design.device.family {
+/// An option of XST: its name and value on the command line, and the same as a property of a project.
+struct Setting {
+    option: &'static str,
+    value: &'static str,
+    property: &'static str,
+    property_value: &'static str,
+}
+
+/// Options for every family. Registers stay where the schedule has put them: a register that moved out of an entity of a product
+/// would not become part of the multiplier.
+const OPTIONS: [[&str; 4]; 7] = [
+    ["opt_mode", "Speed", "Optimization Goal", "Speed"],
+    ["opt_level", "1", "Optimization Effort", "Normal"],
+    ["keep_hierarchy", "NO", "Keep Hierarchy", "No"],
+    ["glob_opt", "AllClockNets", "Global Optimization Goal", "AllClockNets"],
+    ["register_balancing", "No", "Register Balancing", "No"],
+    ["shreg_extract", "YES", "Shift Register Extraction", "true"],
+    ["iobuf", "NO", "Add I/O Buffers", "false"],
+];
+
+/// Adds the project if ISE knows the device.
+pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Option<Project> {
+    let (releases, ending, own): (_, _, &[[&str; 4]]) = match projects.device.family {
         Family::Virtex2 => (
             "ISE 8.1 to 10.1",
             "ise",
-            &["-glob_opt AllClockNets", "-mult_style auto", "-max_fanout 500", "-slice_utilization_ratio 100"],
+            &[
+                ["mult_style", "auto", "Multiplier Style", "Auto"],
+                ["max_fanout", "500", "Max Fanout", "500"],
+                ["slice_utilization_ratio", "100", "Slice Utilization Ratio", "100"],
+            ],
         ),
         Family::Spartan6 => (
             "ISE 14.7",
             "xise",
-            &["-glob_opt AllClockNets", "-use_dsp48 Auto", "-max_fanout 100000", "-shreg_min_size 2"],
+            &[
+                ["use_dsp48", "Auto", "Use DSP Block", "Auto"],
+                ["max_fanout", "100000", "Max Fanout", "100000"],
+                ["shreg_min_size", "2", "Shift Register Minimum Size", "2"],
+            ],
         ),
         Family::Series7 | Family::UltraScalePlus | Family::Ecp5 => return None,
     };
+    let setting = |&[option, value, property, property_value]: &[&'static str; 4]| Setting {
+        option,
+        value,
+        property,
+        property_value,
+    };
+    let options = &OPTIONS.iter().chain(own).map(setting).collect::<Vec<_>>()[..];
     let header = &origin()[..];
-    let Part { family, device, package, speed } = design.device.part;
+    let Part { family, device, package, speed } = projects.device.part;
     let part = format!("{device}{speed}-{package}");
-    let project = format!("{prefix}efsat.{ending}");
-    let script = ProjectScript { header, prefix, project, releases, family, device, package, speed, files: sources };
-    let constraints = Constraints { header, frequency: design.params.frequency };
+    let (top, files, stem) = (&projects.lists.top[..], &projects.lists.synthesised[..], &projects.file("")[..]);
+    let project = projects.file(&format!(".{ending}"));
+    let script = ProjectScript { header, stem, top, project, releases, family, device, package, speed, options, files };
     let texts = [
-        (prefix.of("efsat.prj"), SourceList { files: sources }.render()),
-        (prefix.of("efsat.xst"), Script { prefix, part: &part, options }.render()),
-        (prefix.of("efsat.ucf"), constraints.render()),
-        ("project.tcl".to_owned(), script.render()),
+        (".prj", SourceList { files }.render()),
+        (".xst", Script { stem, top, part: &part, options }.render()),
+        (".ucf", Constraints { header, frequency: projects.frequency }.render()),
     ];
-    for (name, text) in texts {
-        set.insert(format!("ise/{name}"), text.expect("the template renders"));
+    for (ending, text) in texts {
+        set.insert(format!("ise/{stem}{ending}"), text.expect("the template renders"));
     }
-    let how = format!("`xtclsh project.tcl`, or `xst -ifn {prefix}efsat.xst`");
+    set.insert("ise/project.tcl", script.render().expect("the template renders"));
+    let how = format!("`xtclsh project.tcl`, or `xst -ifn {stem}.xst`");
     Some(Project { folder: "ise".to_owned(), tool: releases, part, how })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What an option means on the command line and in the project.
+    #[test]
+    fn option_and_property_say_the_same() {
+        for [option, value, property, of_property] in OPTIONS {
+            let same = value.eq_ignore_ascii_case(of_property);
+            let other = [("YES", "true"), ("NO", "false"), ("1", "Normal")].contains(&(value, of_property));
+            assert!(same || other, "{option} {value}, {property} {of_property}");
+        }
+    }
 }

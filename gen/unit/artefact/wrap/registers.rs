@@ -165,19 +165,6 @@ fn names(ports: &str) -> Vec<&str> {
     ports.lines().filter_map(|line| Some(line.split_once(" : ")?.0.trim())).collect()
 }
 
-/// The ports of the shell, with those that the core adds, and their bits.
-pub fn shell_ports(more: &str) -> Vec<(String, u32)> {
-    let lines = ["aclk : in std_logic;", "aresetn : in std_logic;"].into_iter().chain(LITE_PORTS.lines());
-    let lines = lines.chain(more.lines()).chain(["irq : out std_logic;"]);
-    let port = |line: &str| {
-        let (name, ty) = line.split_once(" : ")?;
-        let high =
-            ty.split_once("std_logic_vector(").and_then(|(_, rest)| rest.split_once(" downto")?.0.parse::<u32>().ok());
-        Some((name.trim().to_owned(), high.map_or(1, |high| high + 1)))
-    };
-    lines.filter_map(port).collect()
-}
-
 /// Text as pages have it, without what Markdown marks it with.
 fn plain(text: &str) -> String {
     text.replace(['*', '`'], "")
@@ -250,7 +237,8 @@ pub fn table() -> String {
             register.what.to_owned(),
         ];
         writeln!(text, "| {} |", row.join(" | ")).expect("a string takes text");
-        for field in &register.fields {
+        // A mask has the fields of what it masks, without words of their own.
+        for field in register.fields.iter().filter(|field| !field.what.is_empty()) {
             let bits = if field.bits == 1 { field.low.to_string() } else { format!("{}..{}", field.high(), field.low) };
             writeln!(text, "| | `.{}` | | | {bits} | {} |", field.name, field.what).expect("a string takes text");
         }

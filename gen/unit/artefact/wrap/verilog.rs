@@ -23,6 +23,6 @@ pub fn verilog_of(set: &FileSet, core: &Core, around: Option<VerilogFile>, prefi
     });
     let has_registers = set.get(&FileLists::registers(prefix)[2]).is_some();
     let top = prefix.of(if has_registers { FileLists::SHELL } else { core.entity });
-    let core = VerilogFile { name: prefix.of(core.verilog), top, sources, without: None };
+    let core = VerilogFile { name: format!("{prefix}{}.v", core.stem), top, sources, without: None };
     [Some(core), around].into_iter().flatten().collect()
 }

@@ -1,10 +1,8 @@
 //! Project and IP packaging for Vivado, for devices that it knows.
 
-use super::drop_in::core_name;
-use crate::artefact::files::file_lists::FileLists;
+use super::projects::Projects;
 use crate::artefact::files::project::Project;
-use crate::artefact::{FileSet, Packaging, Prefix, origin};
-use crate::design::Design;
+use crate::artefact::{FileSet, origin};
 use askama::Template;
 use efsat_hardware::device::Family;
 
@@ -12,72 +10,81 @@ use efsat_hardware::device::Family;
 #[template(path = "vivado/project.tcl", escape = "none")]
 struct Script<'a> {
     header: &'a [String],
-    prefix: &'a Prefix,
+    stem: &'a str,
     top: &'a str,
     part: &'a str,
     sources: &'a [String],
-}
-
-#[derive(Template)]
-#[template(path = "vivado/efsat.xdc", escape = "none")]
-struct Constraints<'a> {
-    header: &'a [String],
-    period: String,
 }
 
 #[derive(Template)]
 #[template(path = "vivado/package_ip.tcl", escape = "none")]
 struct PackageIp<'a> {
     header: &'a [String],
+    stem: &'a str,
     top: &'a str,
-    has_registers: bool,
+    interfaces: Vec<Interface>,
+    has_irq: bool,
     part: &'a str,
     family: String,
     name: String,
     ip_version: String,
-    interval: usize,
+    what: &'a str,
+    pace: &'a str,
     command_line: &'a str,
     sources: &'a [String],
 }
 
+/// A bus of the top, which Vivado recognises by the names of its ports.
+struct Interface {
+    name: &'static str,
+    what: &'static str,
+}
+
+/// A bus, what it is, and a port that it has.
+const INTERFACES: [(&str, &str, &str); 4] = [
+    ("s_axi", "AXI4-Lite", "s_axi_awaddr"),
+    ("s_axis", "AXI4-Stream", "s_axis_tdata"),
+    ("m_axis", "AXI4-Stream", "m_axis_tdata"),
+    ("m_axi", "AXI4", "m_axi_araddr"),
+];
+
 /// Adds the project if Vivado knows the device.
-pub(in crate::artefact) fn add(
-    set: &mut FileSet,
-    design: &Design,
-    packaging: &Packaging,
-    command_line: &str,
-    lists: &FileLists,
-) -> Option<Project> {
-    let (sources, top) = (&lists.synthesised()[..], &lists.top[..]);
-    let device = design.device.part;
-    match design.device.family {
+pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Option<Project> {
+    match projects.device.family {
         Family::Series7 | Family::UltraScalePlus => {}
         Family::Virtex2 | Family::Spartan6 | Family::Ecp5 => return None,
     }
-    let (header, prefix) = (&origin()[..], &packaging.prefix);
+    let Projects { lists, pace, command_line, core, .. } = *projects;
+    let (sources, top, stem) = (&lists.synthesised[..], &lists.top[..], &projects.file("")[..]);
+    let device = projects.device.part;
+    let header = &origin()[..];
     let part = &format!("{}{}{}", device.device, device.package, device.speed)[..];
-    let picoseconds = 1_000_000 / design.params.frequency;
-    let period = format!("{}.{:03}", picoseconds / 1000, picoseconds % 1000);
     // An IP has a name as VHDL has them, and a version of two numbers.
-    let name = core_name(&design.params, packaging).rsplit(':').next().unwrap_or_default().replace('-', "_");
+    let name = projects.name.rsplit(':').next().unwrap_or_default().replace('-', "_");
     let ip_version = env!("CARGO_PKG_VERSION").split('.').take(2).collect::<Vec<_>>().join(".");
-    let (family, interval) = (device.family.to_lowercase(), design.interval);
+    let ports = projects.ports(set, top);
+    let has = |name: &str| ports.iter().any(|port| port.name == name);
+    let buses = INTERFACES.iter().filter(|(_, _, port)| has(port));
+    let interfaces = buses.map(|&(name, what, _)| Interface { name, what }).collect();
     let ip = PackageIp {
         header,
+        stem,
         top,
-        has_registers: packaging.registers,
+        interfaces,
+        has_irq: has("irq"),
         part,
-        family,
+        family: device.family.to_lowercase(),
         name,
         ip_version,
-        interval,
+        what: core.what,
+        pace,
         command_line,
         sources,
     };
     let texts = [
-        ("project.tcl".to_owned(), Script { header, prefix, top, part, sources }.render()),
-        (prefix.of("efsat.xdc"), Constraints { header, period }.render()),
+        ("project.tcl".to_owned(), Script { header, stem, top, part, sources }.render()),
         ("package_ip.tcl".to_owned(), ip.render()),
+        (format!("{stem}_ooc.xdc"), Ok(projects.clock())),
     ];
     for (name, text) in texts {
         set.insert(format!("vivado/{name}"), text.expect("the template renders"));
