@@ -53,10 +53,12 @@ Definition exact_answer options l :=
   let signs := map Integers.sg numbers in let f v := nth (place v) signs O in
   let separate := of_points I.separate x in
   let flat := forallb (fun v => seq (f v) O) [1; 2; 3; 4; 5; 6]%positive in
+  let area i j k := I.S.cross (I.S.minus j i) (I.S.minus k i) in
+  let alike := of_points (fun v1 v2 w0 w1 w2 => IK.crosses v1 v2 w0 w1 w2 && (0 <? I.S.dot (I.S.cross v1 v2) (area w0 w1 w2))) x in
   let reach := 2 ^ (DeterminantUnit.width (options_of options) - 1) - 1 in
   if forallb (fun y => Z.abs y <=? reach) (points_numbers x) then
     [if separate then 0 else 1; bits_of ((flat && separate) :: one_side f [1; 2; 3]%positive :: one_side f [4; 5; 6]%positive :: map (at_edge misses f) edge_list);
-     bits_of (of_points IK.crosses x :: (flat && forallb (fun v => seq (f v) O) [7; 8; 9; 10; 11; 12; 13; 14; 15]%positive) :: existsb (at_edge pierces f) edge_list :: map (at_edge hits f) edge_list)] ++ numbers
+     bits_of (of_points IK.crosses x :: (flat && forallb (fun v => seq (f v) O) [7; 8; 9; 10; 11; 12; 13; 14; 15]%positive) :: (existsb (at_edge pierces f) edge_list || flat && alike) :: map (at_edge hits f) edge_list)] ++ numbers
   else [2; 0; 0].
 Definition cascade_answer options l :=
   let x := DeterminantUnit.differences (options_of options) (words_of l) in

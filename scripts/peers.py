@@ -88,6 +88,33 @@ def meshlib(a, b):
     return query, lambda found: [(pair.aFace.get(), pair.bFace.get()) for pair in found]
 
 
+def trueform(a, b):
+    import trueform
+
+    first, second = [trueform.Mesh(mesh.faces.astype(np.int32), np.ascontiguousarray(mesh.vertices)) for mesh in (a, b)]
+    for mesh in (first, second):
+        mesh.build_tree()
+
+    def query(pose):
+        second.transformation = pose
+        return trueform.gather_intersecting_ids(first, second)
+
+    return query, lambda found: found.tolist()
+
+
+def libigl(a, b):
+    from igl.copyleft import cgal
+
+    faces = [mesh.faces.astype(np.int64) for mesh in (a, b)]
+
+    def query(pose):
+        # Its trees are made in each query.
+        moved = b.vertices @ pose[:3, :3].T + pose[:3, 3]
+        return cgal.intersect_other(a.vertices, faces[0], moved, faces[1], detect_only=True, cutoff=2**31 - 1)
+
+    return query, lambda found: found[0].tolist()
+
+
 def own(mesh):
     mesh = efsat.Mesh(mesh.vertices, mesh.faces)
     return lambda _: efsat.self_intersections(mesh), lambda found: found[0].tolist()
@@ -105,6 +132,26 @@ def own_meshlib(mesh):
         return mrmeshpy.findSelfCollidingTriangles(part)
 
     return query, lambda found: [sorted((pair.aFace.get(), pair.bFace.get())) for pair in found]
+
+
+def own_libigl(mesh):
+    from igl.copyleft import cgal
+
+    faces = mesh.faces.astype(np.int64)
+    query = lambda _: cgal.remesh_self_intersections(mesh.vertices, faces, detect_only=True, cutoff=2**31 - 1)
+    return query, lambda found: np.sort(found[2], axis=1).tolist()
+
+
+#: What is asked for contacts, and for self-intersections: name, module, program.
+CONTACTS = [
+    ("efsat", "efsat", ours),
+    ("FCL", "fcl", fcl),
+    ("Coal", "coal", coal),
+    ("MeshLib", "meshlib", meshlib),
+    ("trueform", "trueform", trueform),
+    ("libigl", "igl", libigl),
+]
+OWN = [("efsat", "efsat", own), ("MeshLib", "meshlib", own_meshlib), ("libigl", "igl", own_libigl)]
 
 
 def tori(sides=224):
@@ -161,12 +208,15 @@ def compiled(name, a, b, poses):
 
 
 def rows(what, programs, trees_apart=True):
+    """A row for each program; only the first one says what was asked, and none that nothing was missed or invented."""
     exact = None
     for name, measure in programs:
         trees, micros, found = measure()
         exact = found if exact is None else exact
-        numbers = [f"{trees:,.1f}" if trees_apart else "", f"{micros:,.0f}", *(f"{len(x):,}" for x in (found, exact - found, found - exact))]
+        wrong = [f"{len(x):,}" if x else "" for x in (exact - found, found - exact)]
+        numbers = [f"{trees:,.1f}" if trees_apart else "", f"{micros:,.0f}", f"{len(found):,}", *wrong]
         print(f"| {what} | {name} | {' | '.join(numbers)} |", flush=True)
+        what = ""
 
 
 def installed(programs):
@@ -178,8 +228,7 @@ def installed(programs):
 
 
 def pairs(what, a, b, poses):
-    programs = installed([("efsat", "efsat", ours), ("FCL", "fcl", fcl), ("Coal", "coal", coal), ("MeshLib", "meshlib", meshlib)])
-    measures = [(name, lambda program=program: timed(lambda: program(a, b), poses)) for name, program in programs]
+    measures = [(name, lambda program=program: timed(lambda: program(a, b), poses)) for name, program in installed(CONTACTS)]
     if COMPILED:
         measures += [(name, lambda name=name: compiled(name, a, b, poses)) for name in ("CGAL", "Embree")]
     rows(what, measures)
@@ -205,8 +254,7 @@ def main():
     both = Shape(np.concatenate([torus.vertices, torus.vertices + poses[1][:3, 3]]), np.concatenate([torus.faces, torus.faces + count]))
     meshes = [(pathlib.Path(file).stem, efsat.read_mesh(file)) for file in files]
     for name, mesh in [*meshes, ("two tori", both)]:
-        programs = installed([("efsat", "efsat", own), ("MeshLib", "meshlib", own_meshlib)])
-        rows(f"{name} itself", [(of, lambda program=program: timed(lambda: program(mesh), [None])) for of, program in programs], False)
+        rows(f"{name} itself", [(of, lambda program=program: timed(lambda: program(mesh), [None])) for of, program in installed(OWN)], False)
 
 
 main()

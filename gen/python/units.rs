@@ -2,8 +2,9 @@
 
 use super::arrays::{array, pairs, poses, rows, value_error};
 use clap::Parser;
+use efsat_engine::artefact::EngineDesign;
 use efsat_engine::driver::{Objects, QueryOptions, StandIn as EngineStandIn};
-use efsat_engine::params::EngineParams;
+use efsat_engine::params::{EngineParams, Memory};
 use efsat_geometry::Points;
 use efsat_geometry::mesh::Mesh;
 use efsat_unit::golden::Reason;
@@ -12,6 +13,7 @@ use efsat_unit::host::{Host, Reference, loose_pairs};
 use efsat_unit::pair::{Outcome, Pair, Verdict};
 use efsat_unit::params::options::Choice;
 use efsat_unit::params::{Method, Params};
+use efsat_unit::parts::registers::{Behind, Field, Register, hash, registers};
 use efsat_unit::words::{StreamWidth, StreamWord};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::exceptions::PyValueError;
@@ -52,6 +54,52 @@ fn unit(words: Vec<String>) -> PyResult<Params> {
     let typed = params.every_option().into_iter().filter(|(option, _)| given.iter().any(|name| name == option));
     params.has(typed).and_then(|()| params.validate()).map_err(value_error)?;
     Ok(params)
+}
+
+/// Name, address, access, value after reset, and fields with their lowest bits and sizes.
+type Registers = Vec<(&'static str, u32, &'static str, u32, Vec<(&'static str, u32, u32)>)>;
+
+/// The registers of a core whose options are all in the command line.
+fn register_list(behind: Behind, command_line: &str) -> Registers {
+    let fields = |list: Vec<Field>| list.into_iter().map(|Field { name, low, bits, .. }| (name, low, bits)).collect();
+    registers(behind, hash(command_line))
+        .into_iter()
+        .map(|Register { name, offset, access, reset, fields: list, .. }| {
+            (name, offset, access.name(), reset, fields(list))
+        })
+        .collect()
+}
+
+/// Addresses and values of the accesses of two halves for each word, the higher one of the last word at a place of its own.
+fn accesses(words: &[u64], names: [&str; 3]) -> Vec<(u32, u32)> {
+    let list = registers(Behind::Unit, 0);
+    let at = |name| list.iter().find(|register| register.name == name).map_or(0, |register| register.offset);
+    let [low, high, last] = names.map(at);
+    let of_word = |(place, word): (usize, &u64)| {
+        let high = if place + 1 < words.len() { high } else { last };
+        [(low, *word as u32), (high, (*word >> 32) as u32)]
+    };
+    words.iter().enumerate().flat_map(of_word).collect()
+}
+
+/// What is written for a packet.
+fn writes(words: &[u64]) -> Vec<(u32, u32)> {
+    accesses(words, ["transmit_low", "transmit_high", "transmit_last"])
+}
+
+/// What is read of an answer.
+fn reads(words: &[u64]) -> Vec<(u32, u32)> {
+    accesses(words, ["receive_low", "receive_high", "receive_high"])
+}
+
+/// Words of so many bytes, little-endian.
+fn short_words(packet: &[u8], bytes: usize) -> PyResult<Vec<u64>> {
+    if packet.is_empty() || !packet.len().is_multiple_of(bytes) {
+        let found = packet.len();
+        return Err(value_error(format!("a packet of {found} bytes: expected a multiple of {bytes}")));
+    }
+    let word = |bytes: &[u8]| bytes.iter().rev().fold(0, |word, byte| word << 8 | u64::from(*byte));
+    Ok(packet.chunks(bytes).map(word).collect())
 }
 
 /// Pairs that a thread takes at a time.
@@ -190,7 +238,7 @@ impl Design {
     fn answer<'py>(&self, py: Python<'py>, packets: Vec<Vec<u8>>, width: u32) -> PyResult<Vec<Bound<'py, PyBytes>>> {
         let size = stream_width(width)?.bits() as usize / 8;
         let mut unit = StandIn::new(&self.reference.params, stream_width(width)?).map_err(value_error)?;
-        let bytes = self.driver(width)?.format().answer_width() as usize / 8;
+        let bytes = self.answer_bytes(width)?;
         let one = |given: &Vec<u8>| {
             if given.is_empty() || !given.len().is_multiple_of(size) {
                 let found = given.len();
@@ -218,9 +266,28 @@ impl Design {
         let found = job.finish(&words).map_err(value_error)?;
         Ok(PyArray1::from_vec(py, found.answers.into_iter().map(|exact| exact as u8).collect()))
     }
+
+    /// The registers around the unit's stream.
+    fn registers(&self) -> Registers {
+        register_list(Behind::Unit, &self.reference.params.command_line())
+    }
+
+    /// The writes to registers that send a packet.
+    fn writes(&self, packet: Vec<u8>) -> PyResult<Vec<(u32, u32)>> {
+        Ok(writes(&short_words(&packet, 8)?))
+    }
+
+    /// The reads of registers that get an answer, and what they give.
+    fn reads(&self, answer: Vec<u8>) -> PyResult<Vec<(u32, u32)>> {
+        Ok(reads(&short_words(&answer, self.answer_bytes(64)?)?))
+    }
 }
 
 impl Design {
+    fn answer_bytes(&self, width: u32) -> PyResult<usize> {
+        Ok(self.driver(width)?.format().answer_width() as usize / 8)
+    }
+
     fn driver(&self, width: u32) -> PyResult<Driver> {
         Driver::new(&self.reference.params, stream_width(width)?).map_err(value_error)
     }
@@ -271,6 +338,25 @@ impl Engine {
     /// The packets that fill block RAM.
     fn loads(&self) -> PyResult<Vec<Vec<u64>>> {
         Ok(self.objects()?.loads().to_vec())
+    }
+
+    /// The registers around the engine.
+    fn registers(&self) -> PyResult<Registers> {
+        let design = EngineDesign::new(&self.engine, &self.unit).map_err(value_error)?;
+        let behind = Behind::Engine { by_number: false, caches: self.engine.memory == Memory::Axi };
+        Ok(register_list(behind, &design.command_line()))
+    }
+
+    /// The writes to registers that send a packet.
+    #[staticmethod]
+    fn writes(packet: Vec<u64>) -> Vec<(u32, u32)> {
+        writes(&packet)
+    }
+
+    /// The reads of registers that get an answer, and what they give.
+    #[staticmethod]
+    fn reads(answer: Vec<u64>) -> Vec<(u32, u32)> {
+        reads(&answer)
     }
 
     /// For each pose the packet of its query, the packet that the engine answers with, and the pairs that touch, exactly; no packets

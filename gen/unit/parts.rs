@@ -36,9 +36,9 @@ pub mod board {
 
 /// Registers around a core, and the file of their testbench.
 pub mod registers {
-    pub use crate::artefact::check::register_script::Script;
+    pub use crate::artefact::check::register_script::{Script, hash};
     pub use crate::artefact::wrap::registers::{Shell, refusal_table, table};
-    pub use crate::words::registers::{Behind, PLACES};
+    pub use crate::words::registers::{Behind, Field, PLACES, Register, registers};
 }
 
 /// What every manifest has.

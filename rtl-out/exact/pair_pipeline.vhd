@@ -131,8 +131,11 @@ architecture rtl of pair_pipeline is
   signal boxes_with_0_line : std_logic_vector(1 to 6) := (others => '0');
   signal boxes_sides_a_line : std_logic_vector(1 to 6) := (others => '0');
   signal boxes_sides_b_line : std_logic_vector(1 to 6) := (others => '0');
+  signal area_h2 : flag_x2_x2_t := zero_flag_x2_x2;
+  signal area_h3 : flag_x2_x2_t := zero_flag_x2_x2;
   signal lines_apart : std_logic;
   signal lines_crosses : std_logic;
+  signal lines_agree : std_logic;
   type sign3_line_t is array (1 to 4) of std_logic_vector(1 downto 0);
   signal sign3_line : sign3_line_t := (others => (others => '0'));
   signal sign12_h4 : std_logic_vector(1 downto 0) := (others => '0');
@@ -177,6 +180,8 @@ architecture rtl of pair_pipeline is
   signal lines_apart_h2 : std_logic := '0';
   signal lines_crosses_h1 : std_logic := '0';
   signal lines_crosses_h2 : std_logic := '0';
+  signal lines_agree_h1 : std_logic := '0';
+  signal lines_agree_h2 : std_logic := '0';
   signal outside_line : std_logic_vector(1 to 13) := (others => '0');
   signal fitted_unit_x : signed_33_vector_x5_t;
   signal moment_component_lane_unit_plus : signed_18_x2_x12_t;
@@ -585,6 +590,12 @@ begin
   end generate parts_unit;
 
   -- Clock 12
+  clock_12 : process (clk)
+  begin
+    if rising_edge(clk) then
+      area_h2 <= area_h1;
+    end if;
+  end process clock_12;
   of_sign(6) <= resize(determinant_side00, 60);
   of_sign(7) <= resize(determinant_side01, 60);
   of_sign(8) <= resize(determinant_side02, 60);
@@ -606,13 +617,15 @@ begin
       of_sign11_h1 <= of_sign(11);
       parts_h1 <= parts;
       nearly_parts_h1 <= nearly_parts;
+      area_h3 <= area_h2;
     end if;
   end process clock_13;
   lines_apart_unit : entity work.plane_verdict
     port map (lines => lines_line(8), no_u => no_u_line(5), parts => parts_h1, nearly => nearly_parts_h1,
               boxes_apart => boxes_apart_line(6), boxes_nearly_apart => boxes_nearly_apart_line(6),
               boxes_with_0 => boxes_with_0_line(6), boxes_sides_a => boxes_sides_a_line(6),
-              boxes_sides_b => boxes_sides_b_line(6), apart => lines_apart, crosses => lines_crosses);
+              boxes_sides_b => boxes_sides_b_line(6), areas => area_h3, apart => lines_apart, crosses => lines_crosses,
+              agree => lines_agree);
 
   -- Clock 14
   clock_14 : process (clk)
@@ -634,6 +647,7 @@ begin
           unsigned(sign(6));
       lines_apart_h1 <= lines_apart;
       lines_crosses_h1 <= lines_crosses;
+      lines_agree_h1 <= lines_agree;
     end if;
   end process clock_14;
   skew <= or_reduce(skew_word_h1);
@@ -708,6 +722,7 @@ begin
       skew_h1 <= skew;
       lines_apart_h2 <= lines_apart_h1;
       lines_crosses_h2 <= lines_crosses_h1;
+      lines_agree_h2 <= lines_agree_h1;
     end if;
   end process clock_15;
   verdict_unit_planes_0_0_each : for m in 0 to 2 generate
@@ -721,8 +736,8 @@ begin
   verdict_unit : entity work.pair_verdict
     port map (clk => clk, planes => verdict_unit_planes, edges_missed => edge_missed_h1, edges_hits => edge_hits_h1,
               edges_pierces => edge_pierces_h1, inner => inner_h1, skew => skew_h1, plane_apart => lines_apart_h2,
-              plane_crosses => lines_crosses_h2, outside => outside_line(13), verdict => verdict,
-              separated => separated, overlapping => overlapping);
+              plane_crosses => lines_crosses_h2, plane_agree => lines_agree_h2, outside => outside_line(13),
+              verdict => verdict, separated => separated, overlapping => overlapping);
 
   -- Clock 16
   clock_16 : process (clk)

@@ -190,7 +190,9 @@ pub fn plane_verdict(setting: &Setting) -> Claim {
         some("nearly")
     );
     claim.shown(format!("crosses == ({crosses})"));
+    claim.shown("agree == (areas0_0 && areas1_0 || areas0_1 && areas1_1)");
     claim.mutant(WrongGate, "apart").mutant(NotMissing, "two_lines").mutant(WrongGate, "crosses");
+    claim.mutant(WrongGate, "agree");
     claim
 }
 
@@ -231,7 +233,8 @@ pub fn inner_side(setting: &Setting) -> Claim {
 }
 
 /// The verdict and the flags by sections 4 to 6, from the signs `plane_a0` ... `plane_b2`, the flags `missed0`, `hits0`,
-/// `pierces0` ... of the edges of A, then of B, `inner0` ..., `skew`, `plane_apart` and `plane_crosses`.
+/// `pierces0` ... of the edges of A, then of B, `inner0` ..., `skew`, `plane_apart`, `plane_crosses` and
+/// `plane_agree`.
 fn decided(claim: &mut Claim) {
     let plane = |of: &str, test: &str, how: &str| joined(how, (0..3).map(|k| format!("plane_{of}{k} {test}")));
     let one_side = |of| format!("({} || {})", plane(of, "== 1", " && "), plane(of, "== -1", " && "));
@@ -245,7 +248,7 @@ fn decided(claim: &mut Claim) {
     let mut flags = vec![
         ("in_plane && is_apart".to_owned(), "is_crossing".to_owned()),
         (one_side("a"), "in_plane && !skew".to_owned()),
-        (one_side("b"), some("pierces")),
+        (one_side("b"), format!("{} || in_plane && is_crossing && plane_agree", some("pierces"))),
     ];
     flags.extend((0..6).map(|edge| (format!("missed{edge}"), format!("hits{edge}"))));
     for (witness, (separated, overlapping)) in flags.into_iter().enumerate() {
@@ -269,7 +272,7 @@ pub fn pair_verdict(setting: &Setting) -> Claim {
     }
     decided(&mut claim);
     claim.mutant(WrongGate, "one_side(k)").mutant(WrongGate, "apart").mutant(WrongGate, "proper");
-    claim.mutant(NotMissing, "in_plane").mutant(WrongArm, "crosses");
+    claim.mutant(NotMissing, "in_plane").mutant(WrongArm, "crosses").mutant(WrongGate, "alike");
     claim
 }
 
@@ -363,8 +366,10 @@ pub fn by_signs(setting: &Setting) -> Claim {
     claim.room_for(3);
     let dot = |k: usize| format!("dot_lane{k}_dot");
     (0..10).for_each(|k| _ = claim.cut(&dot(k)));
-    claim.cut("lines_apart_apart").cut("lines_apart_crosses");
-    claim.value("plane_apart", "lines_apart_apart").value("plane_crosses", "lines_apart_crosses");
+    for what in ["apart", "crosses", "agree"] {
+        let said = format!("lines_apart_{what}");
+        claim.cut(&said).value(&format!("plane_{what}"), said);
+    }
     claim.value("of_plane_b0", dot(5));
     for (i, first) in [(1, 1), (2, 6)] {
         let [x, y, z] = [0, 1, 2].map(|l| dot(first + l));

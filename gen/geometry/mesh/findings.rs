@@ -209,12 +209,13 @@ pub(super) fn degenerate(mesh: &Mesh) -> Vec<usize> {
 
 /// Triangles whose corners, in whatever order, are those of an earlier one: equal as numbers.
 fn duplicates(mesh: &Mesh) -> Vec<usize> {
+    // Numbers of vertices take a sixth of the room of coordinates.
+    let Mesh { faces, .. } = mesh.welded();
     let mut known = HashSet::new();
     let is_known = |face: &usize| {
-        // Adding zero makes one of the two zeros.
-        let mut corners = mesh.triangle(*face).map(|v| <[f64; 3]>::from(v).map(|x| (x + 0.0).to_bits()));
+        let mut corners = faces[*face];
         corners.sort_unstable();
         !known.insert(corners)
     };
-    (0..mesh.faces.len()).filter(is_known).collect()
+    (0..faces.len()).filter(is_known).collect()
 }

@@ -1,6 +1,7 @@
 """Tests of the package: answers equal those that are known, and what is wrong is refused."""
 
 import ast
+import hashlib
 import pathlib
 import re
 import subprocess
@@ -207,6 +208,34 @@ def test_words_of_the_stream(width):
         efsat.Design().packets(PAIRS, 48)
     numbers, sticky = efsat.Design().numbers(PAIRS)
     assert numbers.shape == sticky.shape == (3, 18) and numbers.any()
+
+
+def test_words_of_the_registers():
+    rows = re.findall(r"^\| `(\w{3})` \| `(\w+)` \| (\w+) \| (\w+) \|", (ROOT / "docs/registers.md").read_text(), re.M)
+    page = {name: (int(address, 16), access, reset) for address, name, access, reset in rows}
+    box = trimesh.creation.box()
+    engine = efsat.Engine(box, box)
+    for design in [efsat.Design(), engine]:
+        for name, (address, access, reset, fields) in design.registers.items():
+            assert page[name][:2] == (address, access) and page[name][2] in (f"{reset:x}", "constant"), name
+            assert all(0 <= low < low + bits <= 32 for low, bits in fields.values())
+    assert set(page) == set(engine.registers)
+    design = efsat.Design(method="determinants")
+    at = {name: register.address for name, register in design.registers.items()}
+    assert design.registers["parameters"].reset == int(hashlib.sha256(design.command_line.encode()).hexdigest()[:8], 16)
+    packet = design.packets(PAIRS)[-1]
+    for words, writes in [(np.frombuffer(packet, "<u8").tolist(), design.writes(packet)), ([1 << 40, 2], engine.writes([1 << 40, 2]))]:
+        assert [low + (high << 32) for (_, low), (_, high) in zip(writes[::2], writes[1::2])] == words
+        higher = [at["transmit_high"]] * (len(words) - 1) + [at["transmit_last"]]
+        assert [address for address, _ in writes] == [x for high in higher for x in (at["transmit_low"], high)]
+    answer, *_ = design.answer([packet])
+    reads = design.reads(answer)
+    assert {address for address, _ in reads} == {at["receive_low"], at["receive_high"]}
+    size = 2 * len(answer) // len(reads)
+    words = [low + (high << 32) for (_, low), (_, high) in zip(reads[::2], reads[1::2])]
+    assert b"".join(word.to_bytes(size, "little") for word in words) == answer
+    with pytest.raises(ValueError, match="multiple of 8"):
+        design.writes(packet[:-1])
 
 
 def test_engines():

@@ -447,7 +447,8 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
         Method::Exact => text(&[
             "  out_separated, out_overlapping: what each witness said, bit i for witness i: the pair as a whole, plane of A, plane",
             "  of B, edges 0 to 2 of A, edges 0 to 2 of B (docs/exact.md). Bit 0 of out_overlapping: the triangles cross, rather",
-            "  than touch; bit 1: all six points are in one plane.",
+            "  than touch; bit 1: all six points are in one plane; bit 2: an edge pierces, or the normals of triangles that cross",
+            "  in one plane agree.",
         ]),
     });
     lines.extend(match p.exact_clocks {

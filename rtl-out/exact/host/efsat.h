@@ -281,9 +281,9 @@ static inline int efsat_contradicts(const struct efsat_answer *answer)
   /* Triangles in one plane, or of which no edge hits the other, are separate if the first flag or no edge says otherwise. */
   if (separate != ((s & 1) || !(o & UINT32_C(0x1fa))) || separate == intersect)
     return 1;
-  if ((separate && o & ~UINT32_C(2)) || (o & 2 && (s & ~UINT32_C(1) || o & UINT32_C(0x1fc))))
+  if ((separate && o & ~UINT32_C(2)) || (o & 2 && (s & ~UINT32_C(1) || o & UINT32_C(0x1f8))))
     return 1;
-  return o & 4 && (!(o & 1) || !(o & UINT32_C(0x1f8)));
+  return o & 4 && (!(o & 1) || !(o & UINT32_C(0x1fa)));
 }
 
 /* An answer that nobody can take for a verdict. */

@@ -197,6 +197,6 @@ def _contradicts(answer):
     # Triangles in one plane, or of which no edge hits the other, are separate if the first flag or no edge says otherwise.
     if separate != (s & 1 > 0 or o & 0x1FA == 0) or separate == intersect:
         return True
-    if (separate and o & ~2) or (o & 2 and (s & ~1 or o & 0x1FC)):
+    if (separate and o & ~2) or (o & 2 and (s & ~1 or o & 0x1F8)):
         return True
-    return bool(o & 4) and not (o & 1 and o & 0x1F8)
+    return bool(o & 4) and not (o & 1 and o & 0x1FA)

@@ -22,7 +22,8 @@ from .manager import CollisionManager
 
 __all__ = [
     "SEPARATE", "TOUCH", "INTERSECT", "POSSIBLY_INCORRECT", "KINDS", "Answers", "Collider", "CollisionManager", "Contacts", "Design",
-    "Engine", "Mesh", "Reason", "Scene", "classify", "contacts", "kinds", "read_mesh", "retest", "scene", "segments", "self_intersections",
+    "Engine", "Mesh", "Reason", "Register", "Scene", "classify", "contacts", "kinds", "read_mesh", "retest", "scene", "segments",
+    "self_intersections",
 ]
 
 #: Exact answers.
@@ -170,6 +171,14 @@ Reason = _namedtuple("Reason", "words gap error")
 _AXES = ["n_A", "n_B"] + [f"C_{k}{l}" for k in range(3) for l in range(3)] + [f"n_{t} x e_{t}{k}" for t in "AB" for k in range(3)]
 
 
+#: A register: address in bytes, access (R, W, RW, or RW1C: ones clear), value after reset, and lowest bit and size of each field.
+Register = _namedtuple("Register", "address access reset fields")
+
+
+def _registers(core):
+    return {name: Register(*rest, {field: (low, bits) for field, low, bits in fields}) for name, *rest, fields in core.registers()}
+
+
 def _words(options):
     def word(name, value):
         option = "--" + name.replace("_", "-")
@@ -237,6 +246,19 @@ class Design:
         """The exact answers for pairs from the packets that came back; what the unit left open is decided in software."""
         return self._design.finish(_pairs(pairs), [bytes(packet) for packet in answers], width)
 
+    @property
+    def registers(self):
+        """The registers that `--registers` puts around the stream: a dict of name to Register."""
+        return _registers(self._design)
+
+    def writes(self, packet):
+        """What is written to registers, (address, value) each, to send a packet of 64-bit words."""
+        return self._design.writes(bytes(packet))
+
+    def reads(self, answer):
+        """What is read from registers, (address, value) each, to get a packet that answers: the values are those that must come."""
+        return self._design.reads(bytes(answer))
+
 
 def classify(pairs, **options):
     """What the unit of some options answers for pairs: Design(**options).classify(pairs)."""
@@ -265,6 +287,19 @@ class Engine:
     def queries(self, poses):
         """For each pose (n, 4, 4) the packet of a query, the packet that answers it, and the pairs that touch, exactly."""
         return self._engine.queries(_poses(poses, ("n", 4, 4)))
+
+    @property
+    def registers(self):
+        """The registers that `--registers` puts around the engine: a dict of name to Register."""
+        return _registers(self._engine)
+
+    def writes(self, packet):
+        """What is written to registers, (address, value) each, to send a packet."""
+        return self._engine.writes(packet)
+
+    def reads(self, answer):
+        """What is read from registers, (address, value) each, to get a packet that answers: the values are those that must come."""
+        return self._engine.reads(answer)
 
 
 class Scene(_Scene):

@@ -15,6 +15,8 @@ record! {
         apart: S,
         /// If it has one, the relative interiors meet.
         crosses: S,
+        /// The normals of both triangles have one direction.
+        agree: S,
     }
 }
 
@@ -60,7 +62,7 @@ pub(super) fn plane<'l>(u: Top<'l>, points: &Points<'l>, moments: &[Vec3<Sig<'l>
     let by_edge = by_edge.named("by_edge");
     let areas = [[area_a; 3], [area_b; 3]].concat();
     let (parts, nearly): (Vec<_>, Vec<_>) = by_edge.into_iter().zip(areas).map(|(x, area)| edge(x, area)).unzip();
-    decided(lines, no_u, parts.named("parts"), nearly.named("nearly_parts"), boxes)
+    decided(lines, no_u, parts.named("parts"), nearly.named("nearly_parts"), boxes, [area_a, area_b])
 }
 
 /// For each edge of A, then of B, the side of it on which each corner of the other triangle is; the signs of both areas.
@@ -180,18 +182,25 @@ fn decided<'l>(
     parts: Vec<Sig<'l>>,
     nearly: Vec<Sig<'l>>,
     boxes: Boxes<Sig<'l>>,
+    areas: [Sign<'l>; 2],
 ) -> Plane<Sig<'l>> {
     let doc = [
         "Pairs in one plane (section 5 of docs/exact.md). In a plane: separate if an edge parts the pair or the boxes are apart. On",
-        "one line (u = 0): if the boxes are apart. On two lines: if B does not have V_0, where they meet.",
+        "one line (u = 0): if the boxes are apart. On two lines: if B does not have V_0, where they meet. Of triangles in a plane the",
+        "normals agree if the areas have one sign.",
     ];
-    entity!("plane_verdict", &doc, (lines, no_u, parts, nearly, boxes) => {
+    entity!("plane_verdict", &doc, (lines, no_u, parts, nearly, boxes, areas) => {
         let in_plane = !lines & any(&parts);
         let on_lines = lines & !no_u & !boxes.with_0;
         let two_lines = (lines & !no_u).named("two_lines");
         let through = two_lines & boxes.sides_a & boxes.sides_b;
         let near = boxes.nearly_apart | !lines & any(&nearly);
         let apart = boxes.apart | in_plane | on_lines;
-        Plane { apart: apart.named("apart"), crosses: (through | !two_lines & !near).named("crosses") }
+        let [a, b] = areas;
+        Plane {
+            apart: apart.named("apart"),
+            crosses: (through | !two_lines & !near).named("crosses"),
+            agree: (a[0] & b[0] | a[1] & b[1]).named("agree"),
+        }
     })
 }

@@ -79,7 +79,8 @@ pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, out
     let doc = [
         "The verdict (sections 4 and 6 of docs/exact.md): of a pair in one plane by the rule for those, else intersect if an",
         "edge hits. crosses: the relative interiors meet, as an edge pierces, or as each triangle has corners on both sides of",
-        "the other's plane and A has a part on the inner side of every edge of B. Of a pair that does not fit no flag is set.",
+        "the other's plane and A has a part on the inner side of every edge of B. alike: a pair in one plane crosses, and the",
+        "normals agree. Of a pair that does not fit no flag is set.",
     ];
     let (verdict, (separated, overlapping)) = entity!("pair_verdict", &doc, (planes, edges, inner, skew, plane, outside) => {
         let of = |plane: [Sign<'l>; 3], way: usize| plane.map(|sign| sign[way]);
@@ -92,6 +93,7 @@ pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, out
         let apart = (in_plane & (skew | plane.apart)).named("apart");
         let proper = (pierced | both_sides[0] & both_sides[1] & all(inner)).named("proper");
         let crosses = in_plane.choose(!apart & plane.crosses, proper).named("crosses");
+        let alike = (in_plane & crosses & plane.agree).named("alike");
         let flags = |first: [Sig<'l>; 3], of: fn(&Edge<Sig<'l>>) -> Sig<'l>| -> Vec<Sig<'l>> {
             match outside {
                 Some(outside) => first.into_iter().chain(edges.iter().map(of)).map(|flag| flag & !outside).collect(),
@@ -99,7 +101,7 @@ pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, out
             }
         };
         let separated = flags([apart, one_side[0], one_side[1]], |edge| edge.missed);
-        let overlapping = flags([crosses, in_plane & !skew, pierced], |edge| edge.hits);
+        let overlapping = flags([crosses, in_plane & !skew, pierced | alike], |edge| edge.hits);
         let intersects = in_plane.choose(!apart, hit);
         let verdict = match outside {
             Some(outside) => (!outside & intersects).named("intersects").below(&[outside]),

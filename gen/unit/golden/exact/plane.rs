@@ -41,15 +41,19 @@ impl Components {
     /// How a pair lies whose six points are in one plane.
     pub fn position<N: Number>(&self, points: &Points, moments: &Moments) -> Position {
         let boxes = Boxes::new(points);
-        let (separate, inside) = match self {
+        let (separate, inside, agree) = match self {
             Self::Plane { along, x } => {
                 let edges = Edges::new::<N>(*along, x, moments);
-                (edges.part || boxes.apart, !edges.nearly_part && !boxes.nearly_apart)
+                (edges.part || boxes.apart, !edges.nearly_part && !boxes.nearly_apart, edges.agree)
             }
-            Self::Lines([0, 0, 0]) => (boxes.apart, !boxes.nearly_apart),
-            Self::Lines(_) => at_v0(points),
+            Self::Lines([0, 0, 0]) => (boxes.apart, !boxes.nearly_apart, false),
+            Self::Lines(_) => {
+                let (separate, inside) = at_v0(points);
+                (separate, inside, false)
+            }
         };
-        Position { separate, crosses: inside && !separate }
+        let crosses = inside && !separate;
+        Position { separate, crosses, alike: crosses && agree }
     }
 }
 
@@ -94,13 +98,15 @@ impl Boxes {
 struct Edges {
     part: bool,
     nearly_part: bool,
+    /// Both areas have one sign.
+    agree: bool,
 }
 
 impl Edges {
     fn new<N: Number>(along: usize, x: &[[i64; 3]; 2], Moments { m, n }: &Moments) -> Self {
         let [x1, x2] = x.map(|x| x.map(N::from));
         let (m, n) = (m.map(|m| N::from(m[along])), N::from(n[along]));
-        let area = m[0] + m[1] + m[2];
+        let (area, zero) = (m[0] + m[1] + m[2], N::from(0));
         let of_a = [x1, three(|l| n + x2[l] - x1[l]), three(|l| -x2[l])].map(|x| (x, n));
         let of_b = three(|l| {
             let next = (l + 1) % 3;
@@ -110,6 +116,7 @@ impl Edges {
         Self {
             part: edges().any(|(x, area)| parts(x, *area)),
             nearly_part: edges().any(|(x, area)| nearly_parts(x, *area)),
+            agree: (n > zero && area > zero) || (n < zero && area < zero),
         }
     }
 }

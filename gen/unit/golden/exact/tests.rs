@@ -41,13 +41,28 @@ fn outcome(golden: &Golden, points: &Points) -> Outcome {
     golden.outcome(&Pose::identity(&params(6)), &read(points))
 }
 
-/// The verdict, whether the triangles cross, and whether they are in one plane, all as the oracle says.
+/// Whether the normals of both triangles have one direction, if they are parallel.
+fn agree(points: &Points) -> bool {
+    let edge = |from: usize, to: usize| [0, 1, 2].map(|i| i128::from(points[to][i] - points[from][i]));
+    let normal = |first: usize| {
+        let (x, y) = (edge(first, first + 1), edge(first, first + 2));
+        [0, 1, 2].map(|i| x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3])
+    };
+    normal(0).iter().zip(normal(3)).map(|(x, y)| x * y).sum::<i128>() > 0
+}
+
+/// The verdict, whether the triangles cross, and whether they are in one plane, all as the oracle says; of triangles that cross in
+/// one plane, how their normals lie.
 fn check(golden: &Golden, points: &Points) -> Relation {
     let (truth, outcome) = (truth(points), outcome(golden, points));
     let verdict = if truth.class == Exact::Separate { Verdict::Separate } else { Verdict::Intersect };
     let expected = (verdict, truth.class == Exact::Intersect, truth.coplanar, false);
     let found = (outcome.verdict, outcome.overlapping & 1 != 0, outcome.overlapping & 2 != 0, outcome.outside);
     assert_eq!(found, expected, "{points:?}: {truth}, {outcome:?}");
+    if truth.coplanar {
+        let alike = truth.class == Exact::Intersect && agree(points);
+        assert_eq!(outcome.overlapping & 4 != 0, alike, "{points:?}: {outcome:?}");
+    }
     truth
 }
 
@@ -263,7 +278,7 @@ fn witnesses_say_what_is_so() {
             assert_eq!(truth(&points).class, Exact::Separate, "{points:?}");
         }
         assert_eq!((separated & overlapping, separated >> 9, overlapping >> 9), (0, 0, 0));
-        assert!(overlapping & 0b100 == 0 || overlapping & 1 == 1, "an edge pierces: {points:?}");
+        assert!(overlapping & 0b100 == 0 || overlapping & 1 == 1, "an edge pierces, or normals agree: {points:?}");
         for i in 0..6 {
             let (own, other) = (3 * (i / 3), 3 - 3 * (i / 3));
             let [from, to] = [points[own + i % 3], points[own + (i + 1) % 3]];

@@ -20,6 +20,8 @@ pub(super) struct Position {
     pub separate: bool,
     /// Their relative interiors have one.
     pub crosses: bool,
+    /// They cross in one plane, and their normals have one direction.
+    pub alike: bool,
 }
 
 /// What the signs say of an edge and the other triangle.
@@ -68,6 +70,7 @@ fn position(signs: &Signs, edges: &[Edge; 6]) -> Position {
     Position {
         separate: !edges.iter().any(|edge| edge.hits),
         crosses: through || edges.iter().any(|edge| edge.pierces),
+        alike: false,
     }
 }
 
@@ -77,17 +80,17 @@ pub(super) fn outcome(signs: &Signs, in_plane: impl FnOnce() -> Position) -> Out
     let flat = plane_a.iter().chain(plane_b).all(|sign| *sign == 0);
     let coplanar = flat && side.iter().flatten().all(|sign| *sign == 0);
     let edges = edges(signs);
-    let Position { separate, crosses } = match (flat, coplanar) {
+    let Position { separate, crosses, alike } = match (flat, coplanar) {
         (false, _) => position(signs, &edges),
         // Segments on skew lines.
-        (true, false) => Position { separate: true, crosses: false },
+        (true, false) => Position { separate: true, crosses: false, alike: false },
         (true, true) => in_plane(),
     };
     let one_side = |plane: &[i8; 3]| *plane == [1; 3] || *plane == [-1; 3];
     let mut separated =
         u32::from(flat && separate) | u32::from(one_side(plane_a)) << 1 | u32::from(one_side(plane_b)) << 2;
     let pierced = edges.iter().any(|edge| edge.pierces);
-    let mut overlapping = u32::from(crosses) | u32::from(coplanar) << 1 | u32::from(pierced) << 2;
+    let mut overlapping = u32::from(crosses) | u32::from(coplanar) << 1 | u32::from(pierced || alike) << 2;
     for (i, edge) in (3..).zip(edges) {
         separated |= u32::from(edge.misses) << i;
         overlapping |= u32::from(edge.hits) << i;

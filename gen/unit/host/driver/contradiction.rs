@@ -9,10 +9,10 @@ const ELEVEN: u32 = (1 << 11) - 1;
 const EDGES_OF_A: u32 = 0b111 << 3;
 const EDGES_OF_B: u32 = 0b111 << 6;
 const EDGES: u32 = EDGES_OF_A | EDGES_OF_B;
-/// Of the exact unit, in `overlapping`: the pair crosses, it is in one plane, an edge pierces.
+/// Of the exact unit, in `overlapping`: the pair crosses, it is in one plane, an edge pierces or the normals agree.
 const CROSSES: u32 = 1;
 const COPLANAR: u32 = 2;
-const PIERCED: u32 = 4;
+const INSIDE: u32 = 4;
 
 /// Whether no unit of this design gives these flags together, or not with this verdict.
 pub(super) fn contradicts(params: &Params, outcome: &Outcome) -> bool {
@@ -47,9 +47,9 @@ pub(super) fn contradicts(params: &Params, outcome: &Outcome) -> bool {
         // Triangles in one plane, or of which no edge hits the other, are separate if the first flag or no edge says otherwise.
         Method::Exact => {
             let apart = s & 1 != 0 || o & (COPLANAR | EDGES) == 0;
-            let in_plane = o & COPLANAR != 0 && (s & !1 != 0 || o & (PIERCED | EDGES) != 0);
-            let pierced = o & PIERCED != 0 && (o & CROSSES == 0 || o & EDGES == 0);
-            separate != apart || separate == intersect || separate && o & !COPLANAR != 0 || in_plane || pierced
+            let in_plane = o & COPLANAR != 0 && (s & !1 != 0 || o & EDGES != 0);
+            let inside = o & INSIDE != 0 && (o & CROSSES == 0 || o & (COPLANAR | EDGES) == 0);
+            separate != apart || separate == intersect || separate && o & !COPLANAR != 0 || in_plane || inside
         }
     }
 }
