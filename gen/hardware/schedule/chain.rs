@@ -23,10 +23,12 @@ use std::rc::Rc;
 /// Clocks that a factor waits in registers of the multiplier.
 const OWN_REGISTERS: u32 = 2;
 
-/// A product of a sum, and whether it is taken away.
-#[derive(Clone)]
+/// An operand of a sum.
 struct Term {
+    /// What is added.
     node: usize,
+    /// The product that this is, with another width or name at most.
+    product: usize,
     minus: bool,
 }
 
@@ -131,21 +133,20 @@ impl Search<'_> {
         self.terms(i, false, &mut found);
         let (mut sum, mut inner) = found;
         // A chain is of alike multipliers.
-        let name = |term: &Term| product(self.block, term.node).map(|(_, name)| name);
+        let name = |term: &Term| product(self.block, term.product).map(|(_, name)| name);
         let first = sum.products.first().and_then(name);
         let (products, others) = sum.products.into_iter().partition(|term| name(term) == first);
         sum.products = products;
         sum.others.extend::<Vec<Term>>(others);
-        let Some(product) = sum.products.first() else { return None };
-        let fits = bits(sum.constant) <= self.block.nodes[product.node].ty.bits;
-        let times = sum.products.iter().any(|term| self.timed[term.node]);
+        let fits = bits(sum.constant) <= self.block.nodes[sum.products.first()?.product].ty.bits;
+        let times = sum.products.iter().any(|term| self.timed[term.product]);
         if sum.products.len() < 2 || !fits || !times {
             return None;
         }
         for term in &sum.products {
-            inner.push(term.node);
-            if let Op::Output(_) = self.block.nodes[term.node].op {
-                inner.push(self.block.nodes[term.node].args[0].0);
+            inner.extend(self.path(term.node, term.product));
+            if let Op::Output(_) = self.block.nodes[term.product].op {
+                inner.push(self.block.nodes[term.product].args[0].0);
             }
         }
         inner.into_iter().for_each(|node| self.inner[node] = true);
@@ -163,28 +164,30 @@ impl Search<'_> {
 
     fn term(&self, i: usize, minus: bool, found: &mut (Sum, Vec<usize>)) {
         // What is no hardware between sums, and widths.
-        let (mut node, mut passed) = (i, vec![]);
+        let mut node = i;
         while self.readers[node] == 1 && self.keeps_value(node) {
-            passed.push(node);
             node = self.block.nodes[node].args[0].0;
         }
         let (sum, inner) = found;
         match &self.block.nodes[node].op {
             Op::Comb(Comb::Constant(constant)) => {
                 sum.constant += if minus { -constant.0 } else { constant.0 };
-                inner.extend(passed);
             }
             Op::Comb(Comb::Add(_) | Comb::Subtract(_)) if self.readers[node] == 1 => {
-                inner.extend(passed);
-                inner.push(node);
+                inner.extend(self.path(i, node));
                 self.terms(node, minus, found);
             }
             _ if self.readers[node] == 1 && self.fits(node) => {
-                inner.extend(passed);
-                sum.products.push(Term { node, minus });
+                sum.products.push(Term { node: i, product: node, minus })
             }
-            _ => sum.others.push(Term { node: i, minus }),
+            _ => sum.others.push(Term { node: i, product: node, minus }),
         }
+    }
+
+    /// The nodes from one that has another's value down to that.
+    fn path(&self, from: usize, to: usize) -> Vec<usize> {
+        let below = |node: &usize| (*node != to).then(|| self.block.nodes[*node].args[0].0);
+        std::iter::successors(Some(from), below).collect()
     }
 
     fn keeps_value(&self, i: usize) -> bool {
@@ -261,7 +264,7 @@ impl Making<'_> {
 
     /// In how many products each chain is.
     fn lengths(&self, sum: &Sum) -> Vec<usize> {
-        let (count, first) = (sum.products.len(), sum.products[0].node);
+        let (count, first) = (sum.products.len(), sum.products[0].product);
         let (factors, _) = product(self.block, first).expect("it was one before");
         let bits: u32 = factors.iter().map(|id| self.block.node(*id).ty.bits).sum();
         let before = u32::from(self.device.registers_operands(bits, self.longest));
@@ -284,9 +287,9 @@ impl Making<'_> {
         let factors: Vec<[NodeId; 2]> = plus
             .iter()
             .chain(&less)
-            .map(|term| product(self.block, term.node).expect("it was one before").0.map(|id| at[id.0]))
+            .map(|term| product(self.block, term.product).expect("it was one before").0.map(|id| at[id.0]))
             .collect();
-        let (_, multiplier) = product(self.block, products[0].node).expect("it was one before");
+        let (_, multiplier) = product(self.block, products[0].product).expect("it was one before");
         let types = factors.iter().map(|pair| pair.map(|id| (self.nodes[id.0].ty, self.ranges[id.0]))).collect();
         let made = Chain { factors: types, less: less.len(), constant }.block(self.library, &multiplier);
         let output = made.node(made.outputs[0].1).ty;

@@ -19,7 +19,7 @@ fn product<'l>(k: usize, x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
 }
 
 /// Of two vectors, by name and how many chains there are.
-const MADE: [(&str, usize, Make); 12] = [
+const MADE: [(&str, usize, Make); 13] = [
     ("dot", 1, |a, b| vec![a[0] * b[0] + a[1] * b[1] + a[2] * b[2]]),
     ("of_entities", 1, |a, b| vec![product(0, a[0], b[0]) + product(1, a[1], b[1])]),
     ("difference", 1, |a, b| vec![product(0, a[0], b[1]) - product(1, a[1], b[0])]),
@@ -40,6 +40,10 @@ const MADE: [(&str, usize, Make); 12] = [
         vec![sum + a[2] * b[2], sum.floor(3)]
     }),
     ("square", 0, |a, b| vec![a[0] * b[0] + b[1]]),
+    ("of_two_kinds", 1, |a, b| {
+        let short = (a[0].floor(9).at_point(Some(3)) * b[0]).at_point(Some(0)).named("short");
+        vec![a[1] * b[1] + (short - a[2] * b[2])]
+    }),
     // No multiplier takes both factors.
     ("too_wide", 0, |a, b| vec![a[0].bits(28) * b[0] + a[1].bits(28) * b[1]]),
 ];
