@@ -76,7 +76,7 @@ pub fn units(family: Family, top: &str) -> String {
             )
         }
         Family::Spartan6 => without_adders(&xilinx("xc6s", top)),
-        Family::Series7 => without_adders(&xilinx("xc7", top)),
+        Family::Series7 => with_chains(&xilinx("xc7", top)),
         Family::UltraScalePlus => without_adders(&xilinx("xcup", top)),
         Family::Ecp5 => format!("synth_ecp5 -abc9 -top {top} -noflatten\n"),
     }
@@ -95,6 +95,21 @@ fn without_adders(command: &str) -> String {
         "{command} -run begin:map_dsp\n\
          chtype -set held t:$add\n\
          {command} -run map_dsp:coarse\n\
+         chtype -set $add t:held\n\
+         {command} -run coarse:\n"
+    )
+}
+
+/// The same but for chains of multipliers, which take their adders in (`hardware/schedule/chain.rs`). Yosys 0.23 takes no
+/// subtraction there: the last one of a chain is made an addition, and the multiplier is told to take away.
+fn with_chains(command: &str) -> String {
+    format!(
+        "{command} -run begin:map_dsp\n\
+         chtype -set held t:$add *_chain_*/* %d\n\
+         chtype -set $add *_less_1*/t:$sub\n\
+         {command} -run map_dsp:coarse\n\
+         select -assert-none *_less_1*/t:$add\n\
+         setparam -set IS_ALUMODE_INVERTED 4'b0011 *_less_1*/o:* %a %ci1 t:DSP48E1 %i\n\
          chtype -set $add t:held\n\
          {command} -run coarse:\n"
     )

@@ -25,6 +25,17 @@ pub enum Source {
     Chain(usize, usize),
     /// Output of a multiplier.
     Product(usize),
+    /// Output of the adder behind a multiplier.
+    Sum(usize),
+}
+
+/// What an adder behind a multiplier adds, or takes the second from the first.
+#[derive(Clone, Debug)]
+pub struct Sum {
+    /// What was there before, and the product.
+    pub operands: [Vec<Bit>; 2],
+    /// Whether it takes the product away.
+    pub minus: bool,
 }
 
 /// An operand in cells.
@@ -56,6 +67,8 @@ pub struct Words {
     differences: Vec<Vec<Bit>>,
     /// The operands of every multiplier.
     pub products: Vec<[Vec<Bit>; 2]>,
+    /// The adders behind multipliers.
+    pub sums: Vec<Sum>,
     known: HashMap<Chain, Vec<Bit>>,
 }
 
@@ -80,6 +93,7 @@ impl Words {
             chains: vec![],
             differences: vec![],
             products: vec![],
+            sums: vec![],
             known: HashMap::new(),
         }
     }
@@ -108,6 +122,13 @@ impl Words {
         let product = self.products.len();
         self.products.push([args[0].bits.clone(), args[1].bits.clone()]);
         self.leaves(bits, |_| Source::Product(product))
+    }
+
+    /// A sum with a product of as many bits, in the adder behind its multiplier.
+    pub fn accumulate(&mut self, operands: [Vec<Bit>; 2], minus: bool) -> Vec<Bit> {
+        let (sum, bits) = (self.sums.len(), operands[0].len() as u32);
+        self.sums.push(Sum { operands, minus });
+        self.leaves(bits, |_| Source::Sum(sum))
     }
 
     /// The one word where the flag is set, else the other.

@@ -46,6 +46,7 @@ pub(super) const LFE5U_85: Device = Device {
     block_rams: 208,
     source: "nextpnr-ecp5 0.11.1 (Project Trellis), nets after routing",
     multiplier: [MULTIPLIER_BITS; 2],
+    adder: 0,
     fabric: &FABRIC,
     clock_to_output: 0.52,
     // 4.2 for the net behind it instead of 1.5.

@@ -39,7 +39,7 @@ pub enum Chains {
 pub enum MultiplierRegisters {
     /// The first register behind the product.
     Product,
-    /// Two registers behind the product, and one in front of every operand.
+    /// Two registers behind the product, and two in front of every operand.
     OperandsAndProduct,
 }
 

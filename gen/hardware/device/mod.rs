@@ -41,6 +41,8 @@ pub struct Device {
     pub source: &'static str,
     /// Bits of the signed operands of a hardware multiplier, the wider first.
     pub multiplier: [u32; 2],
+    /// Bits of the adder behind a multiplier, through which multipliers make chains; 0 where there is none, or none is used.
+    pub adder: u32,
     /// How logic is mapped to it.
     pub fabric: &'static Fabric,
     /// Clock to output of a flip-flop.
@@ -186,6 +188,13 @@ impl Device {
     /// Arrival of a product from the multiplier's register, ns, counted as if the net behind it were any other.
     pub fn product_launch(&self) -> f64 {
         self.product_to_output + self.product_behind_register
+    }
+
+    /// Arrival of a sum from the register of the adder behind a multiplier, ns.
+    // For the scheduler.
+    #[doc(hidden)]
+    pub fn sum_launch(&self) -> f64 {
+        self.product_to_output
     }
 
     /// Arrival of what comes out of a delay line with a tap after the clock edge, ns; none where designs for the device have

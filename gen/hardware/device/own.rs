@@ -28,6 +28,8 @@ struct Own {
     carry_bit: Option<f64>,
     product: Option<f64>,
     product_behind_register: Option<f64>,
+    /// Whether multipliers make chains by the adders behind them.
+    chains: Option<bool>,
 }
 
 #[derive(Deserialize)]
@@ -88,6 +90,11 @@ fn parse(text: &str) -> Result<Device, String> {
     if behind > product.0 {
         return Err(format!("product_behind_register = {behind}: expected at most product, {}", product.0));
     }
+    let adder = match own.chains {
+        Some(false) => 0,
+        Some(true) if like.adder == 0 => return Err(format!("chains = true: expected false, as of {}", like.name)),
+        _ => like.adder,
+    };
     let clock_to_output = delay("clock_to_output", own.clock_to_output, like.clock_to_output, 0.01)?;
     Ok(Device {
         name: own.name.leak(),
@@ -113,6 +120,7 @@ fn parse(text: &str) -> Result<Device, String> {
         carry_bit: delay("carry_bit", own.carry_bit, like.carry_bit, 0.0)?,
         product,
         product_behind_register: behind,
+        adder,
         ..like.clone()
     })
 }
@@ -139,6 +147,7 @@ mod tests {
         let (own, like) = (parse(KINTEX).unwrap(), known("xc7a200t-1").unwrap());
         assert_eq!((own.name, own.part.device, own.multipliers, own.lut), ("xc7k325t-2", "xc7k325t", 840, 0.05));
         assert_eq!((own.net, own.product, own.family, own.fabric), (like.net, like.product, like.family, like.fabric));
+        assert_eq!((own.adder, parse(&KINTEX.replace("lut = 0.05", "chains = false")).unwrap().adder), (like.adder, 0));
     }
 
     #[test]
@@ -165,6 +174,8 @@ mod tests {
             with("lut = 0.05", "speed_of_light = 9")
         );
         assert!(with("multipliers = 840", "").contains("multipliers"));
+        let chains = |part: &str| parse(&KINTEX.replace("xc7a200t-1", part).replace("lut = 0.05", "chains = true"));
+        assert_eq!(chains("lfe5u-85-6").unwrap_err(), "chains = true: expected false, as of lfe5u-85-6");
         assert!(with("'xc7k325t'", "'a b; exec c'").starts_with("part.device = "));
     }
 }

@@ -23,6 +23,7 @@ pub(super) const XC7A200T: Device = Device {
     block_rams: 730,
     source: "public Vivado report for xc7z020-1",
     multiplier: [25, 18],
+    adder: 48,
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.478,
     product_to_output: 0.478,

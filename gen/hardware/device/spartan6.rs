@@ -17,6 +17,7 @@ pub(super) const XC6SLX150: Device = Device {
     block_rams: 268,
     source: "estimated after the Spartan-6 data sheet",
     multiplier: [MULTIPLIER_BITS; 2],
+    adder: 0,
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.45,
     product_to_output: 0.45,

@@ -23,6 +23,7 @@ pub(super) const XCZU3EG: Device = Device {
     block_rams: 432,
     source: "public routed Vivado reports for xczu3eg-1",
     multiplier: [27, 18],
+    adder: 48,
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.097,
     product_to_output: 0.097,

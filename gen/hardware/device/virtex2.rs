@@ -87,6 +87,7 @@ pub(super) const XC2V6000: Device = Device {
     block_rams: 144,
     source: "public XST 10.1.03 reports for xc2v6000-4",
     multiplier: [MULTIPLIER_BITS; 2],
+    adder: 0,
     fabric: &FABRIC,
     clock_to_output: delay::CLOCK_TO_OUTPUT,
     product_to_output: delay::CLOCK_TO_OUTPUT,

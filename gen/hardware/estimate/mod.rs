@@ -203,6 +203,7 @@ impl<'a> Reader<'a> {
             registers: vec![false; self.registers.all.len()],
             chains: vec![0; words.chains.len()],
             products: vec![false; words.products.len()],
+            sums: vec![false; words.sums.len()],
         };
         let mut seen = vec![false; words.gates.all.len()];
         let mut open: Vec<usize> = roots.iter().map(|r| r.gate()).collect();
@@ -221,6 +222,11 @@ impl<'a> Reader<'a> {
                 Some(Source::Product(i)) => {
                     if !std::mem::replace(&mut live.products[*i], true) {
                         more.extend(words.products[*i].iter().flatten());
+                    }
+                }
+                Some(Source::Sum(i)) => {
+                    if !std::mem::replace(&mut live.sums[*i], true) {
+                        more.extend(words.sums[*i].operands.iter().flatten());
                     }
                 }
                 Some(Source::Chain(i, bit)) => {
@@ -244,6 +250,7 @@ struct Live {
     /// Bits of every chain.
     chains: Vec<usize>,
     products: Vec<bool>,
+    sums: Vec<bool>,
 }
 
 /// The signals that must be read before one of this driver; of memories and lines, as of instances, the outputs are leaves.

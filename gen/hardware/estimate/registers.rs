@@ -36,6 +36,9 @@ pub(super) struct Taken {
     pub shift_luts: u64,
 }
 
+/// Registers in a row that a multiplier has in front of each operand.
+const OPERAND_REGISTERS: usize = 2;
+
 /// A delay of fewer clocks stays in flip-flops.
 const SHORTEST_SHIFT: usize = 3;
 
@@ -120,19 +123,27 @@ impl Registers {
         }
         if words.fabric.multiplier_registers == MultiplierRegisters::OperandsAndProduct {
             let first = inside.clone();
+            let sum = |bit: Bit| matches!(words.sources.get(&bit.gate()), Some(Source::Sum(_)));
             for i in (0..self.all.len()).filter(|i| used[*i]) {
                 let behind = |bit: Bit| match words.sources.get(&bit.gate()) {
                     Some(Source::Register(source)) => first[*source] && readers.get(&bit.gate()) == Some(&1),
                     _ => false,
                 };
-                inside[i] |= data(i).is_some_and(behind);
+                inside[i] |= data(i).is_some_and(|bit| behind(bit) || sum(bit));
             }
             let mut operands: HashMap<usize, u32> = HashMap::new();
             words.products.iter().flatten().flatten().for_each(|b| *operands.entry(b.gate()).or_default() += 1);
-            for (i, register) in self.all.iter().enumerate().filter(|(i, _)| used[*i]) {
-                let gate = register.output.gate();
-                inside[i] |=
-                    data(i).is_some() && operands.contains_key(&gate) && operands.get(&gate) == readers.get(&gate);
+            for _ in 0..OPERAND_REGISTERS {
+                let mut next = HashMap::new();
+                for (i, register) in self.all.iter().enumerate().filter(|(i, _)| used[*i]) {
+                    let gate = register.output.gate();
+                    let whole = operands.contains_key(&gate) && operands.get(&gate) == readers.get(&gate);
+                    if let Some(bit) = data(i).filter(|_| whole) {
+                        inside[i] = true;
+                        *next.entry(bit.gate()).or_default() += 1;
+                    }
+                }
+                operands = next;
             }
         }
         inside

@@ -227,7 +227,7 @@ impl<'l> Top<'l> {
     }
 
     /// An input with ranges of its own in every case, or the same in all.
-    pub(super) fn port(self, ty: Type, ranges: Vec<Range>, rate: Rate) -> Sig<'l> {
+    pub(crate) fn port(self, ty: Type, ranges: Vec<Range>, rate: Rate) -> Sig<'l> {
         let sig = self.library.push(self.block, Op::Input { early: 0 }, vec![], ty, rate, ranges);
         self.library.with(self.block, |draft| draft.block.inputs.push(sig.id));
         sig
@@ -465,6 +465,10 @@ impl<'l> Sig<'l> {
         let ranges = columns(&args, |ranges| op.range(ranges, &types, ty));
         // Two numbers as operands would leave VHDL without a type to find the operator by.
         let constant = |arg: &Self| {
+            let mut arg = *arg;
+            while let Some(same) = arg.node(|n| matches!(n.op, Op::Point).then(|| n.args[0])) {
+                arg.id = same;
+            }
             arg.node(|n| match &n.op {
                 Op::Comb(Comb::Constant(Constant(value, _))) => Some(*value),
                 _ => None,

@@ -20,7 +20,7 @@ use self::multiplexer::Digits;
 use super::module::{Driver, Instance, Module, Signal, SignalId};
 use crate::device::Device;
 use crate::graph::{Block, Op, Place, Rate, Step};
-use crate::op::{Or, Type};
+use crate::op::{Comb, Or, Type};
 use crate::schedule::{Schedule, Scheduler};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
@@ -312,7 +312,8 @@ impl Lowered<'_> {
                     self.of_node(i, Driver::Combinational { op: op.clone(), args });
                     return;
                 }
-                let driver = Driver::Register { op: Some(op.clone()), args, enable: None, reset: None };
+                let op = Some(op.clone()).filter(|op| !matches!(op, Comb::Delay(_)));
+                let driver = Driver::Register { op, args, enable: None, reset: None };
                 if registers == 1 {
                     self.of_node(i, driver);
                     return;

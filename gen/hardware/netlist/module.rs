@@ -218,6 +218,11 @@ impl Module {
 
     /// The delay lines of the module itself, in the order of their last registers.
     pub fn delay_lines(&self) -> Vec<DelayLine> {
+        // In a chain of multipliers registers are theirs.
+        let in_chain = |s: &Signal| matches!(s.driver, Driver::Register { op: Some(Comb::Accumulate(_)), .. });
+        if self.signals.iter().any(in_chain) {
+            return vec![];
+        }
         let copied = |id: SignalId| match &self.signal(id).driver {
             Driver::Register { op: None, args, enable: None, reset: None } => {
                 let [from, to] = [args[0], id].map(|id| self.signal(id));

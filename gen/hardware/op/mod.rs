@@ -117,11 +117,13 @@ macro_rules! operations {
 }
 
 operations! {
+    accumulate::Accumulate,
     add::Add,
     and::And,
     append::Append,
     concatenate::Concatenate,
     constant::Constant,
+    delay::Delay,
     equal::Equal,
     floor::Floor,
     less::Less,

@@ -175,6 +175,12 @@ fn evaluate(words: &Words, args: &[Word], values: &[i128], result: &[Bit]) -> i1
                     let first = words.sources.iter().filter(|s| *s.1 == Source::Product(product)).map(|s| *s.0).min();
                     ((factor(x) * factor(y)) >> (i - first.expect("this one"))) & 1 == 1
                 }
+                Source::Sum(sum) => {
+                    let of = |k: usize| bits(&known, &words.sums[sum].operands[k]).expect("made before");
+                    let value = if words.sums[sum].minus { of(0) - of(1) } else { of(0) + of(1) };
+                    let first = words.sources.iter().filter(|s| *s.1 == Source::Sum(sum)).map(|s| *s.0).min();
+                    (value >> (i - first.expect("this one"))) & 1 == 1
+                }
                 Source::Outside | Source::Register(_) => known[&i],
             },
         };

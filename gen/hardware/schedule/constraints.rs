@@ -364,6 +364,7 @@ impl<'a> Constraints<'a> {
         let node = &self.pass.block.nodes[i];
         match &node.op {
             Op::Instance(_) => self.pass.children[&i].input_path,
+            Op::Comb(Comb::Accumulate(_) | Comb::Delay(_)) => 0.0,
             _ if self.earliest[i].from > self.earliest[i].start => f64::INFINITY,
             Op::Mux { late } => self.pass.device.mux(late.len()),
             _ => delay(self.pass.device, self.pass.block, i),

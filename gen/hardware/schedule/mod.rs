@@ -5,7 +5,8 @@
 //! stands between registers, the one behind it being the multiplier's own; where the nets to multipliers would take too much
 //! of the period, there is one more register in front of each operand. A multiplexer of more than four operands that is too
 //! long takes two clocks: among the operands of each group, then among the groups, with registers between. Sums, negations and
-//! comparisons that no clock holds are made of parts first (`divide.rs`); what is too long even so stays so. Blocks are scheduled by themselves,
+//! comparisons that no clock holds are made of parts first (`divide.rs`); what is too long even so stays so. Sums of products
+//! become chains of multipliers where the part has adders behind them (`chain.rs`). Blocks are scheduled by themselves,
 //! their inputs arriving from registers in clock 0, and all outputs leave at one latency; an instance then is one
 //! operation of its parent. That fixes the latency; within it nodes then start where they take the fewest register bits
 //! (see [`linear_program`]).
@@ -14,6 +15,7 @@
 //! register at all; a use beyond it captures the value again (a *hold*), which costs one register an interval whatever
 //! the distance. A per-phase value moves by one register per clock.
 
+mod chain;
 mod constraints;
 mod cut;
 mod divide;
@@ -23,7 +25,7 @@ pub mod linear_program;
 
 use crate::device::Device;
 use crate::graph::flat::pattern;
-use crate::graph::{Block, Op, Rate, Step};
+use crate::graph::{Block, Library, Op, Rate, Step};
 use crate::op::{Comb, Type};
 use constraints::Constraints;
 use linear_program::LinearProgram;
@@ -132,6 +134,8 @@ pub struct Scheduler {
     device: &'static Device,
     period: f64,
     done: HashMap<*const Block, Rc<Schedule>>,
+    /// The chains of multipliers.
+    chains: Library,
 }
 
 /// Legs of a group, where a multiplexer takes two clocks: two bits of the index choose among them.
@@ -152,7 +156,7 @@ impl Scheduler {
     /// # Ok::<(), device::DeviceError>(())
     /// ```
     pub fn new(device: &'static Device, frequency: u32) -> Self {
-        Self { device, period: 1000.0 / f64::from(frequency), done: HashMap::new() }
+        Self { device, period: 1000.0 / f64::from(frequency), done: HashMap::new(), chains: Library::default() }
     }
 
     /// Clock period, ns.
@@ -185,6 +189,8 @@ impl Scheduler {
         }
         let whole = Rc::as_ptr(block);
         let room = self.period - self.device.setup() - self.device.launch() + 1e-9;
+        let longest = self.period - self.device.setup() + 1e-9;
+        let block = &chain::chained(block, self.device, longest, &self.chains);
         let block = &divide::divided(block, self.device, room);
         let children: BTreeMap<usize, Rc<Schedule>> = block
             .nodes
@@ -411,6 +417,7 @@ impl Pass<'_> {
             let ns = match &block.nodes[i].op {
                 Op::Mux { .. } if slot.from > slot.start => slot.ns.max(self.launch() + self.device.mux(GROUP)),
                 Op::Comb(Comb::Multiply(_)) => self.device.product_arrival(block.nodes[i].ty.bits, self.longest()),
+                Op::Comb(Comb::Accumulate(_)) => self.device.product_launch(),
                 _ => slot.ns,
             };
             if ns > critical.0 {
@@ -472,6 +479,13 @@ impl Pass<'_> {
                 let captured = registered && arrival.until != i32::MAX;
                 let until = if captured { start + interval + child.latency } else { until };
                 Slot { start, from: start + child.latency, until, ns, registered }
+            }
+            // From the multiplier's registers to another one of it.
+            Op::Comb(Comb::Accumulate(_) | Comb::Delay(_)) => {
+                let start = self.arrival(i, slots, wish.start).clock;
+                let sum = matches!(node.op, Op::Comb(Comb::Accumulate(_)));
+                let ns = if sum { self.device.sum_launch() } else { self.launch() };
+                Slot { start, from: start + 1, until: i32::MAX, ns, registered: false }
             }
             op => {
                 let delay = delay(self.device, self.block, i);

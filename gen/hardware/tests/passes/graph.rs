@@ -65,23 +65,20 @@ fn operations_on_constants_are_constants() {
     });
     expect![[r#"
         block sample, 1 phase
-          a                   s4.4    -128..127  pair  Input
-          (both_constant)     s4.4    5..5       any   Constant(5, s4.4)
-          both                flag    0..1       pair  Less a, both_constant
-          (or_or_constant#3)  u-1.4   5..5       any   Constant(5, u-1.4)
-          (or_or#4)           3 bits  5..5       any   Point or_or_constant#3
-          (or_or_constant#5)  3 bits  2..2       any   Constant(2, 3 bits)
-          (or_or#6)           3 bits  5..7       any   Or or_or#4, or_or_constant#5
-          (odd_constant)      flag    1..1       any   Constant(1, flag)
-          (sum_constant)      s5.4    10..10     any   Constant(10, s5.4)
-          sum                 s6.4    -118..137  pair  Add a, sum_constant
-          (or_low)            u-1.4   0..7       pair  LowBits(3) a
-          (or#11)             3 bits  0..7       pair  Point or_low
-          or#12               3 bits  0..7       pair  And or#11, or_or#6
-          odd                 flag    1..1       pair  Or both, odd_constant
+          a                s4.4    -128..127  pair  Input
+          (both_constant)  s4.4    5..5       any   Constant(5, s4.4)
+          both             flag    0..1       pair  Less a, both_constant
+          (or_constant)    3 bits  7..7       any   Constant(7, 3 bits)
+          (odd_constant)   flag    1..1       any   Constant(1, flag)
+          (sum_constant)   s5.4    10..10     any   Constant(10, s5.4)
+          sum              s6.4    -118..137  pair  Add a, sum_constant
+          (or_low)         u-1.4   0..7       pair  LowBits(3) a
+          (or#8)           3 bits  0..7       pair  Point or_low
+          or#9             3 bits  0..7       pair  And or#8, or_constant
+          odd              flag    1..1       pair  Or both, odd_constant
           output both: both
           output sum: sum
-          output or: or#12
+          output or: or#9
           output odd: odd
     "#]]
     .assert_eq(&dump::block(&block));

@@ -3,6 +3,7 @@
 //! A file is a pass. What a pass makes is compared with the text in the test; `UPDATE_EXPECT=1 cargo test -p efsat-hardware
 //! --test passes` writes the present text there, for the diff to be read. `random` runs whole random designs through all passes.
 
+mod chain;
 mod control;
 mod divide;
 mod evaluate;

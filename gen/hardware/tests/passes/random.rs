@@ -87,6 +87,7 @@ fn designs_are_of_all_kinds() {
         "_d2",
         "group_0",
         "Line of",
+        "_chain_",
         "Assume",
         "Known",
         "Steady",

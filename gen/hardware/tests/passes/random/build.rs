@@ -153,7 +153,7 @@ const OPERATIONS: [(&str, usize, Operation); 28] = [
     }),
 ];
 
-const OTHERS: [(&str, More); 19] = [
+const OTHERS: [(&str, More); 20] = [
     ("input", |b, n| b.input(n, false)),
     ("other_input", |b, n| b.input(n, false)),
     ("early_input", |b, n| b.input(n, true)),
@@ -255,6 +255,35 @@ const OTHERS: [(&str, More); 19] = [
         // Of the first pair's phases alone: what comes back is there before it is read.
         back.connect(next.capture(n[3] % from, false).named(&b.next()));
         b.keep(next, Meaning::Phases((0..b.interval).map(|s| Some(s >= from)).collect()), false);
+    }),
+    ("products", |b, n| {
+        // A sum of products, some of them entities, one of them perhaps read elsewhere too.
+        let entities = n[3] % 3 > 0;
+        let first = |number: usize| if entities { b.changing(number) } else { b.value(number) };
+        let pairs: Vec<[Value; 2]> = (0..2 + n[2] % 5).map(|k| [first(n[0] + k), b.value(n[1] + 2 * k)]).collect();
+        let values = || pairs.iter().flatten();
+        let meaning = values().fold(Meaning::Always, |meaning, value| meaning.with(&value.meaning));
+        let ty = Type::signed(8, 0);
+        let products = pairs.iter().map(|[x, y]| [x, y].map(|value| b.typed(value.sig, ty)));
+        let products: Vec<Sig> =
+            products.map(|[x, y]| if entities { part(0, x, y)[0] } else { b.own(x * y) }).collect();
+        let mut sum = products[0];
+        for (k, product) in products[1..].iter().enumerate() {
+            sum = b.own(if (n[3] >> k) & 3 == 3 { sum - *product } else { sum + *product });
+        }
+        if n[2] % 3 == 0 {
+            sum = b.own(sum + sum.like(n[3] as i128 % 500 - 250));
+        }
+        let meaning = match (sum.rate(), meaning) {
+            (Rate::Pair, _) => Meaning::Pair,
+            (Rate::Phase, Meaning::Phases(phases)) => Meaning::Phases(phases),
+            _ => return,
+        };
+        let of_late = values().any(|value| value.of_late);
+        if n[2] % 4 == 0 && products[1].rate() == sum.rate() {
+            b.keep(products[1], meaning.clone(), of_late);
+        }
+        b.keep(sum, meaning, of_late);
     }),
     ("instance", |b, n| {
         let (x, y) = (b.changing(n[0]), b.value(n[1]));
