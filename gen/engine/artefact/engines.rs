@@ -14,6 +14,7 @@ pub(super) const CORE: Core = Core {
     stem: "efsat_engines",
     played: "sim",
     report_words: EngineReport::WORDS,
+    in_order: false,
     packets: &[],
 };
 

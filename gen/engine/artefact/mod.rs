@@ -55,6 +55,7 @@ const CORE: Core = Core {
     stem: NAME,
     played: "sim",
     report_words: EngineReport::WORDS,
+    in_order: true,
     packets: &[
         "byte first. A packet that is no whole words is answered as malformed. The line has no handshake: send the next packet when the",
         "one before is answered; only a stop may come while a query runs.",

@@ -89,7 +89,7 @@ async def play(dut, share):
     await sender
     for number, (words, expected) in enumerate(zip(received, due)):
         compare(number, words, expected)
-    dut._log.info(f"{len(due)} packets, {sum(map(len, received))} words, all as the reference model's")
+    dut._log.info(f"{len(received)} packets, {sum(map(len, received))} words, all as the reference model's")
 
 
 @cocotb.test(timeout_time=10, timeout_unit="ms")

@@ -18,7 +18,7 @@ pub(super) const RULES: [Rule; 13] = [
     ("clocked-process", "process (clk) begin if rising_edge(clk) then ... end if; end process", clocked_process),
     (
         "product",
-        "p <= a * b alone in a clocked process, with nothing else in its entity but registers of its factors",
+        "p <= a * b alone in a clocked process, with nothing else in its entity but registers of its factors, or a chain of such products",
         product,
     ),
     ("reset", "a synchronous reset of flags and counters alone, not of data", reset),
@@ -106,7 +106,27 @@ fn product(file: &File) -> Vec<Breach> {
     let clocked = |at| file.regions("process").any(|(from, to)| from < at && at < to);
     let alone = others().all(|at| clocked(at) && file.reads(at, -1, "NAME <= NAME ;"));
     let form = "rising_edge ( NAME ) then NAME <= NAME * NAME ; end if ; end process";
-    file.breaches("*", |at| alone && file.reads(at, -8, form))
+    let is_chain = file.find("*").count() > 1 && file.find("<=").all(|at| clocked(at) && is_link(file, at + 1));
+    file.breaches("*", |at| is_chain || alone && file.reads(at, -8, form))
+}
+
+/// Whether what is assigned is of a chain of multipliers: a register, a product, or a sum of two.
+fn is_link(file: &File, at: usize) -> bool {
+    let factor = |at: usize| match () {
+        () if file.reads(at, 1, "(") && file.word(at, 3) == ")" => at + 4,
+        () => at + 1,
+    };
+    let term = |at: usize| match file.word(at, 0) {
+        "resize" => file.list(at + 1).1 + 1,
+        "-" => at + 2,
+        _ => at + 1,
+    };
+    let ends = |at: usize| file.word(at, 0) == ";";
+    match file.word(factor(at), 0) {
+        ";" => true,
+        "*" => ends(factor(factor(at) + 1)),
+        _ => matches!(file.word(term(at), 0), "+" | "-") && ends(term(term(at) + 1)),
+    }
 }
 
 /// Data are signed numbers and the types of the package, which end in `_t`.

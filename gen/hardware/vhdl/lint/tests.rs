@@ -3,7 +3,8 @@
 use super::*;
 use std::collections::BTreeSet;
 
-const FILES: [(&str, &str); 3] = [("types_pkg.vhd", TYPES), ("multiply.vhd", MULTIPLY), ("top.vhd", TOP)];
+const FILES: [(&str, &str); 4] =
+    [("types_pkg.vhd", TYPES), ("multiply.vhd", MULTIPLY), ("chain.vhd", CHAIN), ("top.vhd", TOP)];
 
 const TYPES: &str = "library ieee;
 use ieee.numeric_std.all;
@@ -26,6 +27,28 @@ architecture rtl of multiply is begin
   begin
     if rising_edge(clk) then  -- s8.0
       p <= factor * other; end if;
+  end process clock_1;
+end architecture rtl;
+";
+
+const CHAIN: &str = "library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.types_pkg.all;
+entity chain is
+  port (clk : in std_logic; x, y : in bytes_t; r : out signed(17 downto 0));
+end entity chain;
+architecture rtl of chain is
+  signal x1_d1, y1_d1 : signed(7 downto 0);
+  signal product0, product1 : signed(15 downto 0);
+  signal sum0 : signed(16 downto 0);
+begin
+  clock_1 : process (clk)
+  begin
+    if rising_edge(clk) then
+      product0 <= x(0) * y(0); x1_d1 <= x(1); y1_d1 <= y(1);
+      sum0 <= 5 + resize(product0, 17); product1 <= x1_d1 * y1_d1;
+      r <= resize(sum0, 18) - resize(product1, 18); end if;
   end process clock_1;
 end architecture rtl;
 ";
@@ -103,6 +126,10 @@ clocked-process | p <= product; | p <= product when rising_edge(clk);
 product | factor * other; | factor * other + 1;
 product | p <= factor * other; | if factor > other then p <= factor * other; end if;
 product | end process clock_1; | end process clock_1; q <= factor;
+product | x1_d1 * y1_d1; | x1_d1 * y1_d1 + 1;
+product | - resize(product1, 18); | - resize(product1, 18) + 1;
+product | 5 + resize(product0, 17) | 5 + 3 * 4
+product | sum0 <= 5 + | if x = y then null; end if; end if; end process; sum0 <= 5 +
 product | p <= product; | p <= data * data;
 reset | level <= "00"; | level <= "00"; data <= operand;
 reset | level <= "00"; | if level = "01" then p <= product; end if;

@@ -19,6 +19,8 @@ pub struct Core {
     pub played: &'static str,
     /// Words of a report behind pairs in any order; 0 if answers are in order.
     pub report_words: usize,
+    /// Whether packets are answered in their order.
+    pub in_order: bool,
     /// What the example says of its packets, in lines of a header.
     pub packets: &'static [&'static str],
 }
@@ -33,6 +35,7 @@ impl Core {
         stem: "efsat",
         played: "sim_stream",
         report_words: 0,
+        in_order: true,
         packets: &[
             "byte first. A packet that is no whole words is answered as malformed. A record takes far longer to arrive than its",
             "answer to leave, so nothing waits here and no handshake is needed.",

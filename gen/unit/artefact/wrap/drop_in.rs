@@ -98,7 +98,8 @@ struct Cocotb<'a> {
     entity: String,
     vectors: &'a str,
     report_words: usize,
-    has_memory: bool,
+    /// Its read ports of memory, by what their names begin with.
+    memories: Vec<String>,
 }
 
 /// Adds all files; what each is.
@@ -120,9 +121,10 @@ pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Vec<FileRow> {
     let instance = |entity: &'_ String| projects.ports(set, entity);
     let instances = projects.instances.iter().map(|entity| Instance { entity, ports: instance(entity) }).collect();
     let entity = prefix.of(core.entity);
-    let has_memory = projects.ports(set, &entity).iter().any(|port| port.name == "m_axi_araddr");
+    let ports = projects.ports(set, &entity);
+    let memories = ports.iter().filter_map(|port| port.name.strip_suffix("_araddr")).map(str::to_owned).collect();
     let played = benches.iter().find(|bench| bench.target == core.played).expect("a core has vectors of its streams");
-    let cocotb = Cocotb { header, core, entity, vectors: &played.vectors, report_words: core.report_words, has_memory };
+    let cocotb = Cocotb { header, core, entity, vectors: &played.vectors, report_words: core.report_words, memories };
     let test = format!("test_{}", projects.file(".py"));
     let texts = [
         (projects.file("_instance.vhd.txt"), Instances { header, instances }.render()),

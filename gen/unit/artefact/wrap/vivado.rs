@@ -22,7 +22,7 @@ struct PackageIp<'a> {
     header: &'a [String],
     stem: &'a str,
     top: &'a str,
-    interfaces: Vec<Interface>,
+    interfaces: Vec<Interface<'a>>,
     has_irq: bool,
     part: &'a str,
     family: String,
@@ -35,18 +35,13 @@ struct PackageIp<'a> {
 }
 
 /// A bus of the top, which Vivado recognises by the names of its ports.
-struct Interface {
-    name: &'static str,
+struct Interface<'a> {
+    name: &'a str,
     what: &'static str,
 }
 
-/// A bus, what it is, and a port that it has.
-const INTERFACES: [(&str, &str, &str); 4] = [
-    ("s_axi", "AXI4-Lite", "s_axi_awaddr"),
-    ("s_axis", "AXI4-Stream", "s_axis_tdata"),
-    ("m_axis", "AXI4-Stream", "m_axis_tdata"),
-    ("m_axi", "AXI4", "m_axi_araddr"),
-];
+/// What a bus is that has a port with such an end of its name.
+const INTERFACES: [(&str, &str); 3] = [("_awaddr", "AXI4-Lite"), ("_tdata", "AXI4-Stream"), ("_araddr", "AXI4")];
 
 /// Adds the project if Vivado knows the device.
 pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Option<Project> {
@@ -64,8 +59,14 @@ pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Option<Project>
     let ip_version = env!("CARGO_PKG_VERSION").split('.').take(2).collect::<Vec<_>>().join(".");
     let ports = projects.ports(set, top);
     let has = |name: &str| ports.iter().any(|port| port.name == name);
-    let buses = INTERFACES.iter().filter(|(_, _, port)| has(port));
-    let interfaces = buses.map(|&(name, what, _)| Interface { name, what }).collect();
+    // Of the registers the one that writes comes first, and names the bus.
+    let mut interfaces: Vec<Interface<'_>> = vec![];
+    for port in &ports {
+        let bus = INTERFACES.iter().find_map(|(end, what)| Some((port.name.strip_suffix(end)?, what)));
+        if let Some((name, what)) = bus.filter(|(name, _)| interfaces.iter().all(|one| one.name != *name)) {
+            interfaces.push(Interface { name, what });
+        }
+    }
     let ip = PackageIp {
         header,
         stem,
