@@ -192,6 +192,8 @@ fn words_that_the_registers_cannot_carry_are_refused() {
         "generate --registers --stream-width 128 --out x",
         "--registers: words of 128 bits in and 64 out; expected 64 in and at most 64 out",
     );
+    let message = "--registers: --engines 2; expected one engine, whose answers come in order";
+    refuses(home.path(), "generate --engine --engines 2 --registers --out x", message);
     succeeds(home.path(), "generate --registers --out x --width 8 --transform-width 10");
     succeeds(home.path(), "generate --check --registers --out x --width 8 --transform-width 10");
     compiles_everywhere(&home.path().join("x/host/efsat_registers.h"));

@@ -138,6 +138,10 @@ pub fn engine_design_files_with(
     let mut lists = FileLists::new(core, names, vec![bench_files], prefix);
     let mut registers = vec![];
     if extras.registers {
+        if design.params.engines > 1 {
+            let found = format!("--engines {}", design.params.engines);
+            return Err(DesignFilesError::Registers { found, expected: "one engine, whose answers come in order" });
+        }
         registers = registers::shell(design, prefix, &design.command_line()).add(&mut set);
         lists = lists.with_registers(prefix);
     }

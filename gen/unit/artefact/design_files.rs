@@ -44,13 +44,13 @@ pub enum DesignFilesError {
     /// A text that the target's tools would not take.
     #[error("lint: {0}")]
     Lint(Finding),
-    /// Words that the registers cannot carry.
-    #[error("words of {word} bits in and {answer} out; expected 64 in and at most 64 out")]
+    /// What registers cannot be around.
+    #[error("{found}; expected {expected}")]
     Registers {
-        /// Bits of a word in.
-        word: u32,
-        /// Bits of an answer.
-        answer: u32,
+        /// What was found.
+        found: String,
+        /// What can be.
+        expected: &'static str,
     },
 }
 
@@ -127,7 +127,8 @@ pub fn design_files_with(
         lists = lists.with_registers(prefix);
         let (word, answer) = (width.bits(), format.answer_width());
         if word != 64 || answer > 64 {
-            return Err(DesignFilesError::Registers { word, answer });
+            let found = format!("words of {word} bits in and {answer} out");
+            return Err(DesignFilesError::Registers { found, expected: "64 in and at most 64 out" });
         }
     }
     let lists = lists;
