@@ -14,7 +14,6 @@ use efsat_hardware::tools::Tool;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
-use std::path::Path;
 
 /// Small, fast and complete.
 fn small() -> Params {
