@@ -11,7 +11,7 @@ use efsat_unit::artefact::{DesignFilesError, FileSet, Prefix};
 use efsat_unit::design::top::pace;
 use efsat_unit::params::Params;
 use efsat_unit::params::options::Choice;
-use efsat_unit::parts::{Core, FileRow, Project, Projects, RETEST, add_top, board, manifest, named};
+use efsat_unit::parts::{Core, FileRow, Packaged, Project, RETEST, add_projects, add_top, board, manifest, named};
 use efsat_unit::words::PacketKind;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -204,7 +204,7 @@ pub fn engine_design_files_with(
     set.insert("files.txt", lists.all().join("\n"));
     let shell = extras.registers.then(|| lists.top.clone());
     let name = name_of(design, prefix, extras.registers);
-    let projects = Projects {
+    let packaged = Packaged {
         core,
         prefix,
         name: &name,
@@ -215,7 +215,7 @@ pub fn engine_design_files_with(
         lists,
         instances: &shell.into_iter().chain([prefix.of(core.entity)]).collect::<Vec<_>>(),
     };
-    let (rows, mut projects) = projects.add(&mut set);
+    let (rows, mut projects) = add_projects(&packaged, &mut set);
     files.extend(rows);
     if design.params.memory == Memory::BlockRam {
         let unit = &design.unit;
