@@ -251,7 +251,7 @@ fn name_of(design: &EngineDesign, prefix: &Prefix, registers: bool) -> String {
     let of_engine = design.options().into_iter().filter(|option| !usual.contains(option));
     let options = of_unit.chain(of_engine).map(|(option, value)| format!("{option}-{value}"));
     let words = [(design.by_number, "by-number"), (registers, "registers")];
-    let words = words.into_iter().filter_map(|(there, word)| there.then(|| word.to_owned()));
+    let words = words.into_iter().filter(|(there, _)| *there).map(|(_, word)| word.to_owned());
     named(&CORE.stem.replace('_', "-"), method.into_iter().chain(options).chain(words), prefix)
 }
 
