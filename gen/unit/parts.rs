@@ -22,7 +22,8 @@ pub use crate::artefact::files::core::{Core, FileRow};
 pub use crate::artefact::files::project::Project;
 pub use crate::artefact::wrap::drop_in::named;
 pub use crate::artefact::wrap::example::add_top;
-pub use crate::artefact::wrap::projects::Projects;
+pub use crate::artefact::wrap::packaged::Packaged;
+pub use crate::artefact::wrap::projects::add as add_projects;
 pub use crate::artefact::wrap::verilog::verilog_of;
 
 // Words of the stream: vectors, and packets.

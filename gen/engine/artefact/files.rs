@@ -11,7 +11,7 @@ use efsat_unit::artefact::{DesignFilesError, FileSet, Prefix};
 use efsat_unit::design::top::pace;
 use efsat_unit::params::Params;
 use efsat_unit::params::options::Choice;
-use efsat_unit::parts::{Core, FileRow, Project, Projects, RETEST, add_top, board, manifest, named};
+use efsat_unit::parts::{Core, FileRow, Packaged, Project, RETEST, add_projects, add_top, board, manifest, named};
 use efsat_unit::words::PacketKind;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -208,7 +208,7 @@ pub fn engine_design_files_with(
     set.insert("files.txt", lists.all().join("\n"));
     let shell = extras.registers.then(|| lists.top.clone());
     let name = name_of(design, prefix, extras.registers);
-    let projects = Projects {
+    let packaged = Packaged {
         core,
         prefix,
         name: &name,
@@ -219,7 +219,7 @@ pub fn engine_design_files_with(
         lists,
         instances: &shell.into_iter().chain([prefix.of(core.entity)]).collect::<Vec<_>>(),
     };
-    let (rows, mut projects) = projects.add(&mut set);
+    let (rows, mut projects) = add_projects(&packaged, &mut set);
     files.extend(rows);
     if design.params.memory == Memory::BlockRam {
         let unit = &design.unit;
@@ -255,7 +255,7 @@ fn name_of(design: &EngineDesign, prefix: &Prefix, registers: bool) -> String {
     let of_engine = design.options().into_iter().filter(|option| !usual.contains(option));
     let options = of_unit.chain(of_engine).map(|(option, value)| format!("{option}-{value}"));
     let words = [(design.by_number, "by-number"), (registers, "registers")];
-    let words = words.into_iter().filter_map(|(there, word)| there.then(|| word.to_owned()));
+    let words = words.into_iter().filter(|(there, _)| *there).map(|(_, word)| word.to_owned());
     named(&CORE.stem.replace('_', "-"), method.into_iter().chain(options).chain(words), prefix)
 }
 

@@ -6,9 +6,9 @@ use super::files::file_lists::{BenchFiles, FileLists};
 use super::files::manifest;
 use super::files::project::Project;
 use super::units::{UnitRow, first_sentence, units};
-use super::wrap::projects::Projects;
+use super::wrap::packaged::Packaged;
 use super::wrap::registers::Shell;
-use super::wrap::{board, drop_in, example, host, stream};
+use super::wrap::{board, drop_in, example, host, projects, stream};
 use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
 use crate::design::Design;
 use crate::design::top::pace;
@@ -184,7 +184,7 @@ pub fn design_files_with(
     );
     let shell = registers.then(|| lists.top.clone());
     let instances = [prefix.of(stream::NAME), prefix.of("efsat")];
-    let projects = Projects {
+    let packaged = Packaged {
         core: &Core::UNIT,
         prefix,
         name: &drop_in::core_name(params, packaging),
@@ -195,7 +195,7 @@ pub fn design_files_with(
         lists: &lists,
         instances: &shell.into_iter().chain(instances).collect::<Vec<_>>(),
     };
-    let (rows, mut projects) = projects.add(&mut set);
+    let (rows, mut projects) = projects::add(&packaged, &mut set);
     described.extend(rows);
     projects.extend(board::add(&mut set, &Core::UNIT, design, prefix, synthesised));
     described.extend(projects.iter().map(FileRow::of_project));

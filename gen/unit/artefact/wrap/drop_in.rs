@@ -1,6 +1,6 @@
 //! Files that every core has for tools of others: FuseSoC, VUnit, cocotb, and instances to copy.
 
-use super::projects::{Port, Projects};
+use super::packaged::{Packaged, Port};
 use crate::artefact::files::core::{Core, FileRow};
 use crate::artefact::files::file_lists::BenchFiles;
 use crate::artefact::{FileSet, Packaging, Prefix, origin};
@@ -103,8 +103,8 @@ struct Cocotb<'a> {
 }
 
 /// Adds all files; what each is.
-pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Vec<FileRow> {
-    let Projects { core, prefix, name, device, lists, .. } = *projects;
+pub(super) fn add(packaged: &Packaged<'_>, set: &mut FileSet) -> Vec<FileRow> {
+    let Packaged { core, prefix, name, device, lists, .. } = *packaged;
     let (header, benches) = (&origin()[..], &lists.benches[..]);
     let fuse_soc = FuseSoc {
         header,
@@ -118,17 +118,17 @@ pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Vec<FileRow> {
         example: &lists.example,
         benches,
     };
-    let instance = |entity: &'_ String| projects.ports(set, entity);
-    let instances = projects.instances.iter().map(|entity| Instance { entity, ports: instance(entity) }).collect();
+    let instance = |entity: &'_ String| packaged.ports(set, entity);
+    let instances = packaged.instances.iter().map(|entity| Instance { entity, ports: instance(entity) }).collect();
     let entity = prefix.of(core.entity);
-    let ports = projects.ports(set, &entity);
+    let ports = packaged.ports(set, &entity);
     let memories = ports.iter().filter_map(|port| port.name.strip_suffix("_araddr")).map(str::to_owned).collect();
     let played = benches.iter().find(|bench| bench.target == core.played).expect("a core has vectors of its streams");
     let cocotb = Cocotb { header, core, entity, vectors: &played.vectors, report_words: core.report_words, memories };
-    let test = format!("test_{}", projects.file(".py"));
+    let test = format!("test_{}", packaged.file(".py"));
     let texts = [
-        (projects.file("_instance.vhd.txt"), Instances { header, instances }.render()),
-        (projects.file(".core"), fuse_soc.render()),
+        (packaged.file("_instance.vhd.txt"), Instances { header, instances }.render()),
+        (packaged.file(".core"), fuse_soc.render()),
         ("vunit/run.py".to_owned(), VUnit { header, prefix, benches }.render()),
         (format!("cocotb/{test}"), cocotb.render()),
     ];

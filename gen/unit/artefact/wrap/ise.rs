@@ -1,6 +1,6 @@
 //! Project files for ISE, for devices that it knows: the last release with Virtex-II is 10.1, Spartan-6 ends with 14.7.
 
-use super::projects::Projects;
+use super::packaged::Packaged;
 use crate::artefact::files::project::Project;
 use crate::artefact::{FileSet, origin};
 use askama::Template;
@@ -65,8 +65,8 @@ const OPTIONS: [[&str; 4]; 7] = [
 ];
 
 /// Adds the project if ISE knows the device.
-pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Option<Project> {
-    let (releases, ending, own): (_, _, &[[&str; 4]]) = match projects.device.family {
+pub(super) fn add(packaged: &Packaged<'_>, set: &mut FileSet) -> Option<Project> {
+    let (releases, ending, own): (_, _, &[[&str; 4]]) = match packaged.device.family {
         Family::Virtex2 => (
             "ISE 8.1 to 10.1",
             "ise",
@@ -95,15 +95,15 @@ pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Option<Project>
     };
     let options = &OPTIONS.iter().chain(own).map(setting).collect::<Vec<_>>()[..];
     let header = &origin()[..];
-    let Part { family, device, package, speed } = projects.device.part;
+    let Part { family, device, package, speed } = packaged.device.part;
     let part = format!("{device}{speed}-{package}");
-    let (top, files, stem) = (&projects.lists.top[..], &projects.lists.synthesised[..], &projects.file("")[..]);
-    let project = projects.file(&format!(".{ending}"));
+    let (top, files, stem) = (&packaged.lists.top[..], &packaged.lists.synthesised[..], &packaged.file("")[..]);
+    let project = packaged.file(&format!(".{ending}"));
     let script = ProjectScript { header, stem, top, project, releases, family, device, package, speed, options, files };
     let texts = [
         (".prj", SourceList { files }.render()),
         (".xst", Script { stem, top, part: &part, options }.render()),
-        (".ucf", Constraints { header, frequency: projects.frequency }.render()),
+        (".ucf", Constraints { header, frequency: packaged.frequency }.render()),
     ];
     for (ending, text) in texts {
         set.insert(format!("ise/{stem}{ending}"), text.expect("the template renders"));

@@ -5,6 +5,7 @@ pub(crate) mod drop_in;
 pub(crate) mod example;
 pub(crate) mod host;
 mod ise;
+pub(crate) mod packaged;
 pub(crate) mod projects;
 pub mod registers;
 pub mod stream;

@@ -1,6 +1,6 @@
 //! Project and IP packaging for Vivado, for devices that it knows.
 
-use super::projects::Projects;
+use super::packaged::Packaged;
 use crate::artefact::files::project::Project;
 use crate::artefact::{FileSet, origin};
 use askama::Template;
@@ -44,20 +44,20 @@ struct Interface<'a> {
 const INTERFACES: [(&str, &str); 3] = [("_awaddr", "AXI4-Lite"), ("_tdata", "AXI4-Stream"), ("_araddr", "AXI4")];
 
 /// Adds the project if Vivado knows the device.
-pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Option<Project> {
-    match projects.device.family {
+pub(super) fn add(packaged: &Packaged<'_>, set: &mut FileSet) -> Option<Project> {
+    match packaged.device.family {
         Family::Series7 | Family::UltraScalePlus => {}
         Family::Virtex2 | Family::Spartan6 | Family::Ecp5 => return None,
     }
-    let Projects { lists, pace, command_line, core, .. } = *projects;
-    let (sources, top, stem) = (&lists.synthesised[..], &lists.top[..], &projects.file("")[..]);
-    let device = projects.device.part;
+    let Packaged { lists, pace, command_line, core, .. } = *packaged;
+    let (sources, top, stem) = (&lists.synthesised[..], &lists.top[..], &packaged.file("")[..]);
+    let device = packaged.device.part;
     let header = &origin()[..];
     let part = &format!("{}{}{}", device.device, device.package, device.speed)[..];
     // An IP has a name as VHDL has them, and a version of two numbers.
-    let name = projects.name.rsplit(':').next().unwrap_or_default().replace('-', "_");
+    let name = packaged.name.rsplit(':').next().unwrap_or_default().replace('-', "_");
     let ip_version = env!("CARGO_PKG_VERSION").split('.').take(2).collect::<Vec<_>>().join(".");
-    let ports = projects.ports(set, top);
+    let ports = packaged.ports(set, top);
     let has = |name: &str| ports.iter().any(|port| port.name == name);
     // Of the registers the one that writes comes first, and names the bus.
     let mut interfaces: Vec<Interface<'_>> = vec![];
@@ -85,7 +85,7 @@ pub(super) fn add(projects: &Projects<'_>, set: &mut FileSet) -> Option<Project>
     let texts = [
         ("project.tcl".to_owned(), Script { header, stem, top, part, sources }.render()),
         ("package_ip.tcl".to_owned(), ip.render()),
-        (format!("{stem}_ooc.xdc"), Ok(projects.clock())),
+        (format!("{stem}_ooc.xdc"), Ok(packaged.clock())),
     ];
     for (name, text) in texts {
         set.insert(format!("vivado/{name}"), text.expect("the template renders"));
