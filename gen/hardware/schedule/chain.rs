@@ -285,10 +285,10 @@ impl Making<'_> {
         let (factors, _) = product(self.block, first).expect("it was one before");
         let bits: u32 = factors.iter().map(|id| self.block.node(*id).ty.bits).sum();
         let before = u32::from(self.device.registers_operands(bits, self.longest));
-        // Product k, and a bit more for a constant.
+        // With product k and a constant there are k + 1 bits more.
         let holds = |k: &u32| {
             let waits = (k + before).saturating_sub(OWN_REGISTERS) * bits;
-            waits <= 2 * (bits + k) && bits + k + 1 <= self.device.adder
+            waits <= 2 * (bits + k) && bits + k < self.device.adder
         };
         let most = (0..).take_while(holds).count();
         assert!(most > 2, "{}: expected an adder for three products of {bits} bits", self.device.name);
