@@ -258,8 +258,25 @@ impl Making<'_> {
             let name = if lengths.len() > 1 { format!("chain_{k}") } else { "chain".to_owned() };
             terms.push(self.chain(root, chain, constant, &name, at));
         }
-        terms.extend(sum.others.iter().map(|term| Made { id: at[term.node], minus: term.minus }));
+        for (k, term) in sum.others.iter().enumerate() {
+            terms.push(Made { id: self.alike(root, at[term.node], k), minus: term.minus });
+        }
         self.added(root, terms)
+    }
+
+    /// An operand with a sign and the binary point of the sum, which those of sums in it need not have.
+    fn alike(&mut self, root: usize, mut id: NodeId, k: usize) -> NodeId {
+        let (range, mut ty) = (self.ranges[id.0], self.nodes[id.0].ty);
+        let fraction = self.block.nodes[root].ty.fraction;
+        if ty.fraction != fraction {
+            ty.fraction = fraction;
+            id = self.part(Op::Point, vec![id], ty, range, (root, &format!("point_{k}")));
+        }
+        if !ty.signed {
+            ty = Type { signed: true, bits: ty.bits + 1, ..ty };
+            id = self.part(Op::Comb(Resize(ty).into()), vec![id], ty, range, (root, &format!("signed_{k}")));
+        }
+        id
     }
 
     /// In how many products each chain is.
@@ -268,10 +285,10 @@ impl Making<'_> {
         let (factors, _) = product(self.block, first).expect("it was one before");
         let bits: u32 = factors.iter().map(|id| self.block.node(*id).ty.bits).sum();
         let before = u32::from(self.device.registers_operands(bits, self.longest));
-        // Product k, and a bit more for a constant.
+        // With product k and a constant there are k + 1 bits more.
         let holds = |k: &u32| {
             let waits = (k + before).saturating_sub(OWN_REGISTERS) * bits;
-            waits <= 2 * (bits + k) && bits + k + 1 <= self.device.adder
+            waits <= 2 * (bits + k) && bits + k < self.device.adder
         };
         let most = (0..).take_while(holds).count();
         assert!(most > 2, "{}: expected an adder for three products of {bits} bits", self.device.name);
@@ -332,12 +349,10 @@ impl Making<'_> {
             terms = next;
         }
         let Made { mut id, minus } = terms[0];
-        let mut ty = self.nodes[id.0].ty;
         if minus {
-            ty = Type { signed: true, ..ty };
-            let op = Negate(Some(node.ty.bits));
-            ty.bits = node.ty.bits;
-            id = self.part(Op::Comb(op.into()), vec![id], ty, self.block.range(root), (root, "negative"));
+            let ty = Type { bits: node.ty.bits, ..self.nodes[id.0].ty };
+            let op = Negate(Some(ty.bits)).into();
+            id = self.part(Op::Comb(op), vec![id], ty, self.block.range(root), (root, "negative"));
         }
         if self.nodes[id.0].ty != node.ty {
             id = self.part(Op::Comb(Resize(node.ty).into()), vec![id], node.ty, (0, 0), (root, "whole"));

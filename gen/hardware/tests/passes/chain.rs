@@ -19,7 +19,7 @@ fn product<'l>(k: usize, x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
 }
 
 /// Of two vectors, by name and how many chains there are.
-const MADE: [(&str, usize, Make); 13] = [
+const MADE: [(&str, usize, Make); 16] = [
     ("dot", 1, |a, b| vec![a[0] * b[0] + a[1] * b[1] + a[2] * b[2]]),
     ("of_entities", 1, |a, b| vec![product(0, a[0], b[0]) + product(1, a[1], b[1])]),
     ("difference", 1, |a, b| vec![product(0, a[0], b[1]) - product(1, a[1], b[0])]),
@@ -43,6 +43,12 @@ const MADE: [(&str, usize, Make); 13] = [
     ("of_two_kinds", 1, |a, b| {
         let short = (a[0].floor(9).at_point(Some(3)) * b[0]).at_point(Some(0)).named("short");
         vec![a[1] * b[1] + (short - a[2] * b[2])]
+    }),
+    ("less_unsigned", 1, |a, b| vec![a[0] - (a[1] * b[1] + a[2] * b[2] + b[0].low(5).at_point(Some(0)) + a[3].low(1))]),
+    ("less_all", 1, |a, b| vec![a[0].like(0) - (a[1] * b[1] + a[2] * b[2]) - a[3]]),
+    ("other_points", 1, |a, b| {
+        let inner = a[0].at_point(Some(2)) * b[0].at_point(Some(1)) + b[2].at_point(Some(3));
+        vec![inner.at_point(Some(0)) + a[1] * b[1]]
     }),
     // No multiplier takes both factors.
     ("too_wide", 0, |a, b| vec![a[0].bits(28) * b[0] + a[1].bits(28) * b[1]]),
