@@ -145,7 +145,8 @@ fn an_exact_unit_leaves_no_third_answer() {
             let expected = Collider::new(a, b).contacts(&Pose::identity());
             let mut expected: Vec<[u32; 2]> = expected.iter().map(|contact| [contact.a, contact.b]).collect();
             let mut found: Vec<[u32; 2]> = outcome.answers.iter().map(|answer| answer.triangles).collect();
-            (expected.sort_unstable(), found.sort_unstable());
+            expected.sort_unstable();
+            found.sort_unstable();
             assert!(found == expected, "{width} bits: {} pairs, expected {}", found.len(), expected.len());
             found.len()
         });
