@@ -12,7 +12,6 @@ use efsat::estimate;
 use efsat::evidence::cosim::{self, Netlist, Options, Simulator};
 use efsat::evidence::synth::{self, Flow, Report, Subject, verilog, yosys};
 use efsat::params::{Method, Params, Projections, Transform};
-use efsat::vhdl;
 use serde_json::Value;
 use std::path::Path;
 use std::process::Command;
@@ -76,26 +75,6 @@ fn cells_of_the_7_series_answer_as_the_reference_model() {
     let device = "xc7a200t-1".to_owned();
     let params = Params { method: Method::Determinants, clocks_per_pair: 2, frequency: 200, device, ..params };
     assert!(mismatches(&params, 2000, Netlist::Mapped).is_none_or(|n| n == 0));
-}
-
-/// A chain of multipliers takes no tables, and the flip-flops that were predicted.
-#[test]
-fn chains_are_multipliers_alone() {
-    let device = device::find("xc7a200t-1").unwrap();
-    let params =
-        Params { method: Method::Determinants, device: device.name.to_owned(), frequency: 250, ..Params::default() };
-    let design = Design::new(&params, Probes::None).unwrap();
-    let chains = design.top.hierarchy().into_iter().filter(|module| module.name.contains("_chain_"));
-    let mut kinds = vec![];
-    for module in chains {
-        let sources = vhdl::print(&module, "", "chain_types", &[]).unwrap();
-        let Some(unit) = made(synth::count(&sources, &module, device)) else { return };
-        assert_eq!(Some(unit.actual.unwrap().resources), unit.predicted, "{}", module.name);
-        assert_eq!(unit.predicted.unwrap().luts, 0, "{}", module.name);
-        kinds.push(module.name.clone());
-    }
-    let of = |word: &str| kinds.iter().any(|name| name.contains(word));
-    assert!(of("_less_1") && of("_plus_") && of("_chain_3"), "{kinds:?}");
 }
 
 /// One sum of the netlist made a difference, the run goes on and answers differ.
