@@ -273,7 +273,7 @@ def distances():
     def time(place, name):
         found = times[place, name]
         text = f"{float(f'{found:.3g}'):,.0f}" if found >= 99.5 else f"{found:.2g}" if found < 10 else f"{found:.1f}"
-        return f"{text} ({times[place, ours] / found:.1f} x)" if ":" in name or "engine" in name else text
+        return f"{text} ({times[place, ours] / found:.1f})" if ":" in name or "engine" in name else text
 
     # The default scene has the first six.
     default, first = "all of these", places[:6]
