@@ -105,7 +105,7 @@ fn an_engine_has_the_projects_of_a_unit() {
             format!("{small} --block-lines 32 --triangle-lines 16"),
             "efsat_engine",
             "efsat_engine",
-            "s_axis m_axis m_axi",
+            "s_axis m_axi m_axis",
         ),
         (
             format!("{small} --block-lines 32 --triangle-lines 16 --registers"),
