@@ -1,6 +1,7 @@
 //! Yosys: from Verilog to a netlist of a family's cells.
 
 use super::ToolError;
+use super::netlist::{Bit, Level, Netlist};
 use super::product_registers;
 use super::tools::{self, Tool};
 use efsat_hardware::device::Family;
@@ -115,6 +116,18 @@ fn with_chains(command: &str) -> String {
     )
 }
 
+/// Multipliers whose adder takes away get that by their pin: Yosys' model of the DSP48E1 has no inverted pins.
+fn take_away(netlist: &mut Netlist) {
+    for cell in netlist.modules.values_mut().flat_map(|module| module.cells.values_mut()) {
+        if cell.kind == "DSP48E1" && cell.parameter("IS_ALUMODE_INVERTED").is_some_and(|mode| mode.ends_with("0011")) {
+            let [zero, one] = [Level::Zero, Level::One].map(Bit::Constant);
+            let before = cell.connections.insert("ALUMODE".to_owned(), vec![one, one, zero, zero]);
+            assert!(before.is_some_and(|bits| bits == [zero; 4]), "Yosys makes additions alone");
+            cell.set("IS_ALUMODE_INVERTED", "0000");
+        }
+    }
+}
+
 /// A netlist of a family's cells for simulation: the Verilog in `source` mapped, on the ECP5 with the registers of
 /// products in the multipliers, and written to `netlist` together with models of the cells.
 ///
@@ -132,7 +145,13 @@ pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path
             std::fs::write(&path, include_str!("../templates/mult18x18d.v")).map_err(ToolError::file(&path))?;
             format!("read_verilog +/ecp5/cells_sim.v\nread_verilog {MULT18X18D}\n")
         }
-        _ => "read_verilog +/xilinx/cells_sim.v\n".to_owned(),
+        _ => {
+            let path = dir.join(MAPPED);
+            let mut netlist = Netlist::read(&path)?;
+            take_away(&mut netlist);
+            netlist.write(&path)?;
+            "read_verilog +/xilinx/cells_sim.v\n".to_owned()
+        }
     };
     // What Yosys knows of the library's cells without their models is left behind by way of Verilog. `hierarchy` resolves
     // the parameters of the models. A carry chain along a vector looks like a loop to a simulator that orders vectors, so
