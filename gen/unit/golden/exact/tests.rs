@@ -381,7 +381,9 @@ fn plain_pairs() {
     assert_eq!(of([[2, 2, 1], [2, 3, 4], [3, 2, 4]]).1 & 0b111, 0b010);
     assert_eq!(of([[2, 2, 0], [2, 3, 4], [3, 2, 4]]), (Verdict::Intersect, 0b010_111_000, 0b101_000_000));
     // In one plane: inside, along an edge, beside.
-    assert_eq!(of([[1, 1, 0], [2, 1, 0], [1, 2, 0]]), (Verdict::Intersect, 0, 0b11));
+    // Also with the other normal.
+    assert_eq!(of([[1, 1, 0], [2, 1, 0], [1, 2, 0]]), (Verdict::Intersect, 0, 0b111));
+    assert_eq!(of([[1, 1, 0], [1, 2, 0], [2, 1, 0]]), (Verdict::Intersect, 0, 0b011));
     assert_eq!(of([[1, 0, 0], [2, 0, 0], [1, -2, 0]]), (Verdict::Intersect, 0, 0b10));
     assert_eq!(of([[9, 0, 0], [10, 0, 0], [9, 2, 0]]), (Verdict::Separate, 1, 0b10));
 }
