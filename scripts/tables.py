@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -254,11 +255,13 @@ def scenes():
     return table(["<file", "<what it shows"], ([f"`{file.name}`", re.split(r"[.:]( |$)", comment(file.read_text()))[0]] for file in sorted(Path("scenes").glob("*.toml"))))
 
 
-ENGINES = {
-    "ready": "",
-    "132 multipliers": "--expansion-clocks 2 --memory-width 128 --in-flight 32 --pair-queue 512 --block-lines 2048",
-    "252 multipliers": "--expansion-clocks 1 --memory-width 512 --in-flight 64 --pair-queue 1024 --block-lines 4096 --triangle-lines 4096",
-}
+def engines():
+    """Names and options of the engines of the table of clocks, the ready one first."""
+    rows = tomllib.loads(Path("docs/figures.toml").read_text())["engine-clocks"]["rows"]
+    return dict(zip(("ready", "132 multipliers", "252 multipliers"), (options for _, options in rows), strict=True))
+
+
+SOFTWARE = ("this project in software", "FCL", "Coal", "Embree")
 
 
 def distances():
@@ -268,12 +271,11 @@ def distances():
     places = list(dict.fromkeys(row["distance"] for row in rows))
     times = {(row["distance"], row["series"]): float(row["microseconds"]) for row in rows}
     queries = {row["distance"]: row["queries"] for row in rows}
-    ours = next(name for name in series if name.startswith("this project"))
 
     def time(place, name):
         found = times[place, name]
         text = f"{float(f'{found:.3g}'):,.0f}" if found >= 99.5 else f"{found:.2g}" if found < 10 else f"{found:.1f}"
-        return f"{text} ({times[place, ours] / found:.1f})" if ":" in name or "engine" in name else text
+        return f"{text} ({times[place, SOFTWARE[0]] / found:.1f})" if name not in SOFTWARE else text
 
     # The default scene has the first six.
     default, first = "all of these", places[:6]
@@ -284,9 +286,9 @@ def distances():
     return table(["<distance", "queries", *series], ([place, queries[place], *(time(place, name) for name in series)] for place in shown))
 
 
-def engine(scene, name):
+def engine(scene, options):
     """A simulation of queries, whose answers and counts are those of the reference model."""
-    found = ask(f"cosim --engine --scene {scene} {ENGINES[name]}")
+    found = ask(f"cosim --engine --scene {scene} {options}")
     assert found.mismatches == 0 and found.answered_in_software == 0, found
     return found
 
@@ -319,7 +321,7 @@ def tori():
     scene.write_text("name = 'rings'\na.mesh = 'a.obj'\nb.mesh = 'b.obj'\n[[pose]]\ntranslation = [0.9, 0.1, 0.05]\n")
 
     keys = ("expansions", "leaf_pairs", "intersect", "possibly_incorrect", "clocks")
-    found = {name: engine(scene, name) for name in ENGINES}
+    found = {name: engine(scene, options) for name, options in engines().items()}
     head = ["<engine", "expansions", "leaf pairs", "intersect", "possibly incorrect", "clocks", "volume unit busy", "triangle unit busy", "bus busy"]
     return table(head, ([n, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
 
