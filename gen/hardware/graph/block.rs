@@ -160,11 +160,21 @@ impl Block {
         Self { name, doc, interval, nodes: vec![], inputs: vec![], outputs: vec![], probes: vec![], ranges }
     }
 
-    /// The same made of other nodes with these ranges, and where each is now.
-    pub(crate) fn remade(&self, nodes: Vec<Node>, ranges: Vec<Range>, at: impl Fn(NodeId) -> NodeId) -> Self {
-        let inputs = self.inputs.iter().map(|id| at(*id)).collect();
-        let outputs = self.outputs.iter().map(|(place, id)| (place.clone(), at(*id))).collect();
-        let probes = self.probes.iter().map(|p| Probe { node: at(p.node), ..p.clone() }).collect();
+    /// The same made of other nodes with these ranges, and where each is now. Those that are `kept` still have the operands of
+    /// before, some of which come later.
+    pub(crate) fn remade(
+        &self,
+        mut nodes: Vec<Node>,
+        ranges: Vec<Range>,
+        at: &[NodeId],
+        kept: impl Fn(usize) -> bool,
+    ) -> Self {
+        for (i, node) in self.nodes.iter().enumerate().filter(|(i, _)| kept(*i)) {
+            nodes[at[i].0].args = node.args.iter().map(|a| at[a.0]).collect();
+        }
+        let inputs = self.inputs.iter().map(|id| at[id.0]).collect();
+        let outputs = self.outputs.iter().map(|(place, id)| (place.clone(), at[id.0])).collect();
+        let probes = self.probes.iter().map(|p| Probe { node: at[p.node.0], ..p.clone() }).collect();
         let ranges = RefCell::new(ranges);
         Self {
             name: self.name.clone(),

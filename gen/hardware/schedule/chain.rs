@@ -65,11 +65,7 @@ pub(super) fn chained(block: &Rc<Block>, device: &Device, longest: f64, library:
         };
         at.push(id);
     }
-    // What was kept has the operands of before, some of which come later.
-    for i in (0..sums.len()).filter(|i| !inner[*i] && sums[*i].is_none()) {
-        making.nodes[at[i].0].args = block.nodes[i].args.iter().map(|a| at[a.0]).collect();
-    }
-    Rc::new(block.remade(making.nodes, making.ranges, |id| at[id.0]))
+    Rc::new(block.remade(making.nodes, making.ranges, &at, |i| !inner[i] && sums[i].is_none()))
 }
 
 /// How often each node is read, by others and outside.

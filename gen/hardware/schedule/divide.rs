@@ -42,11 +42,7 @@ pub(super) fn divided(block: &Rc<Block>, device: &Device, room: f64) -> Rc<Block
         division.ranges[id.0] = block.range(i);
         at.push(id);
     }
-    // What was kept has the operands of before, some of which come later.
-    for (i, node) in block.nodes.iter().enumerate().filter(|(i, _)| !long[*i]) {
-        division.nodes[at[i].0].args = node.args.iter().map(|a| at[a.0]).collect();
-    }
-    Rc::new(block.remade(division.nodes, division.ranges, |id| at[id.0]))
+    Rc::new(block.remade(division.nodes, division.ranges, &at, |i| !long[i]))
 }
 
 /// Whether there are parts of an operation.
