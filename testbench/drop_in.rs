@@ -320,7 +320,6 @@ fn a_testbench_says_one_line_and_fails_after_a_mismatch() {
     });
 }
 
-/// The scripts for ISE and Vivado in a Tcl that knows the tools' commands, but for what they do.
 /// The licence of generated files, once in each that may have comments: all but lists and vectors.
 #[test]
 fn ready_files_name_their_licence() {
@@ -353,6 +352,7 @@ fn ready_files_name_their_licence() {
     assert!(named > 200, "{named} files");
 }
 
+/// The scripts for ISE and Vivado in a Tcl that knows the tools' commands, but for what they do.
 #[test]
 fn scripts_for_tools_fail_when_the_tool_fails() {
     if !has("tclsh", "tclsh", "/dev/null") {

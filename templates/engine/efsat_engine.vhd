@@ -12,7 +12,7 @@ entity {{ prefix }}efsat_engine is
 {%- if e.engines.several %}
     renew_caches : in std_logic;  -- one clock long: another engine has a query that does not keep them
 {%- endif %}
-{% let read_ports = &e.engines.port -%}
+{% let read_ports = [""] -%}
 {%- include "engine/ports.vhd" %}
   );
 end entity {{ prefix }}efsat_engine;

@@ -9,7 +9,7 @@ use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}efsat_engine is
   port (
-{% let read_ports = &e.engines.port -%}
+{% let read_ports = [""] -%}
 {%- include "engine/ports.vhd" %}
   );
 end entity {{ prefix }}efsat_engine;

@@ -146,10 +146,12 @@ pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path
             format!("read_verilog +/ecp5/cells_sim.v\nread_verilog {MULT18X18D}\n")
         }
         _ => {
-            let path = dir.join(MAPPED);
-            let mut netlist = Netlist::read(&path)?;
-            take_away(&mut netlist);
-            netlist.write(&path)?;
+            if family == Family::Series7 {
+                let path = dir.join(MAPPED);
+                let mut netlist = Netlist::read(&path)?;
+                take_away(&mut netlist);
+                netlist.write(&path)?;
+            }
             "read_verilog +/xilinx/cells_sim.v\n".to_owned()
         }
     };

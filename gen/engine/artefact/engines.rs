@@ -19,13 +19,15 @@ pub(super) const CORE: Core = Core {
 };
 
 /// What is around the engines, in the order of the data.
-pub(super) const ENTITIES: [(&str, &str); 5] = [
+pub(super) const ENTITIES: [(&str, &str); 4] = [
     ("engines_dispatch", "Packets in: a query goes to the engine that has the fewest."),
     ("efsat_engine", "An engine; those below are its entities."),
     ("engines_gather", "Answers out, one packet behind the other."),
     ("engines_queue", "Answers of one engine that wait for their turn."),
-    ("engines_memory", "One AXI4 read port for all engines."),
 ];
+
+/// What is between them and one read port.
+pub(super) const SHARED_MEMORY: (&str, &str) = ("engines_memory", "One AXI4 read port for all engines.");
 
 /// What the header of the top says.
 pub(super) fn description(design: &EngineDesign) -> Vec<String> {

@@ -281,10 +281,11 @@ fn readme(
         ),
     };
     let list = if design.by_number { &by_number::ENTITIES[..] } else { &ENTITIES };
-    let around = if params.engines > 1 { &engines::ENTITIES[..] } else { &[] };
-    let around = around.iter().filter(|(name, _)| *name != "engines_memory" || params.memory_ports == MemoryPorts::One);
-    let mut entities: Vec<FileRow> =
-        around.chain(list).map(|(name, what)| FileRow::new(&prefix.of(name), what)).collect();
+    let several = params.engines > 1;
+    let around = if several { &engines::ENTITIES[..] } else { &[] };
+    let shared = (several && params.memory_ports == MemoryPorts::One).then_some(&engines::SHARED_MEMORY);
+    let all = around.iter().chain(shared).chain(list);
+    let mut entities: Vec<FileRow> = all.map(|(name, what)| FileRow::new(&prefix.of(name), what)).collect();
     let stores: &[(&str, &str)] = match params.memory {
         Memory::BlockRam => &[("engine_block_memory", "Blocks."), ("engine_triangle_memory", "Triangles.")],
         Memory::Axi => &[

@@ -123,7 +123,7 @@ impl EngineDesign {
     /// The entity that is the top, without a prefix; for co-simulation.
     #[doc(hidden)]
     pub fn top(&self) -> &'static str {
-        if self.params.engines > 1 { engines::CORE.entity } else { NAME }
+        files::core_of(self).entity
     }
 
     /// What stands behind the m in the names of the top's read ports: a number, or nothing if there is one port.

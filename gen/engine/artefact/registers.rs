@@ -18,14 +18,14 @@ use efsat_unit::words::REPORT;
 #[template(path = "engine/read_ports.vhd", escape = "none")]
 struct ReadPorts<'a> {
     e: &'a Values,
-    read_ports: &'a [String],
+    read_ports: [&'a str; 1],
 }
 
 #[derive(Template)]
 #[template(path = "engine/memory_signals.vhd", escape = "none")]
 struct MemorySignals<'a> {
     e: &'a Values,
-    read_ports: &'a [String],
+    read_ports: [&'a str; 1],
 }
 
 #[derive(Template)]
@@ -34,7 +34,7 @@ struct MemoryProcess<'a> {
     prefix: &'a Prefix,
     bench: &'a str,
     e: &'a Values,
-    read_ports: &'a [String],
+    read_ports: [&'a str; 1],
 }
 
 /// Registers around an engine, whose options are all in the command line.
@@ -43,7 +43,7 @@ pub(super) fn shell<'a>(design: &EngineDesign, prefix: &'a Prefix, options: &'a 
     let (values, behind) = (&Values::new(design), Behind::Engine { by_number: design.by_number, caches });
     let text = |text: askama::Result<String>| if caches { text.expect("the template renders") } else { String::new() };
     let query = if design.by_number { Command::Numbers } else { Command::Query };
-    let read_ports = &values.engines.port;
+    let read_ports = [""];
     Shell {
         behind,
         options,

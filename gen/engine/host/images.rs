@@ -56,29 +56,33 @@ impl Images {
     /// If there is no such mesh.
     #[doc(hidden)]
     pub fn snapped(&self, meshes: [usize; 2], pose: &Pose) -> Result<Option<[Mesh; 2]>, Refusal> {
+        if !self.numbers.format().snapped {
+            return Ok(None);
+        }
         let [a, b] = meshes.map(|mesh| &self.images[mesh]);
         let pose = self.numbers.pose([a, b].map(Image::header), &pose.rows(), &pose.translation().into())?;
         let unit = Golden::new(self.numbers.unit());
         // B's triangles as seen from a triangle in the origin.
         let origin = [[Input::default(); 3]; 3];
-        let moved =
-            |b| unit.snapped(&pose, &Pair { a: origin, b }).map(|(points, _)| [points[3], points[4], points[5]]);
-        let a = a.mesh(|corners| Some(corners.map(|corner| corner.map(|x| x.lo))));
-        Ok(a.zip(b.mesh(moved)).map(<[Mesh; 2]>::from))
+        let moved = |b| {
+            let ([_, _, _, corners @ ..], _) = unit.snapped(&pose, &Pair { a: origin, b }).expect("an exact unit");
+            corners
+        };
+        Ok(Some([a.mesh(|corners| corners.map(|corner| corner.map(|x| x.lo))), b.mesh(moved)]))
     }
 }
 
 impl Image {
     /// The triangles as a mesh, with their numbers, by what comes of their words.
-    fn mesh(&self, of: impl Fn([[Input; 3]; 3]) -> Option<[[i64; 3]; 3]>) -> Option<Mesh> {
+    fn mesh(&self, of: impl Fn([[Input; 3]; 3]) -> [[i64; 3]; 3]) -> Mesh {
         let places = self.places();
         let mut vertices = Vec::with_capacity(3 * places.len());
         for &place in &places {
             let triangle = self.triangle(place).expect("a checked image");
             // At most 50 bits.
-            vertices.extend(of(triangle.corners)?.map(|corner| Point3::from(corner.map(|x| x as f64))));
+            vertices.extend(of(triangle.corners).map(|corner| Point3::from(corner.map(|x| x as f64))));
         }
         let faces = (0..places.len() as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]);
-        Some(Mesh::new(vertices, faces).expect("whole numbers are finite"))
+        Mesh::new(vertices, faces).expect("whole numbers are finite")
     }
 }

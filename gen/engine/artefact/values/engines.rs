@@ -19,8 +19,6 @@ pub(crate) struct Engines {
     pub each: Vec<u32>,
     /// The read ports of the top, [`EngineDesign::read_ports`].
     pub ports: Vec<String>,
-    /// The same of one engine.
-    pub port: [String; 1],
     /// Whether each has a port of its own.
     pub own_ports: bool,
     /// Queries that an engine has: those in flight, and one that waits.
@@ -42,7 +40,6 @@ impl Engines {
         let kind = |kind| format!("{:02x}", design.format.stream.header(kind) as u8);
         Self {
             ports: design.read_ports(),
-            port: [String::new()],
             own_ports: design.params.memory_ports == MemoryPorts::Each,
             several: count > 1,
             count,

@@ -17,7 +17,7 @@ pub struct Core {
     pub stem: &'static str,
     /// The target of the testbench whose vectors are words of its streams.
     pub played: &'static str,
-    /// Words of a report behind pairs in any order; 0 if answers are in order.
+    /// Words of a report behind the pairs of a packet, which then are in any order; 0 if there is none.
     pub report_words: usize,
     /// Whether packets are answered in their order.
     pub in_order: bool,

@@ -380,8 +380,7 @@ fn plain_pairs() {
     // Above A; and with a corner on it, where two edges of B hit.
     assert_eq!(of([[2, 2, 1], [2, 3, 4], [3, 2, 4]]).1 & 0b111, 0b010);
     assert_eq!(of([[2, 2, 0], [2, 3, 4], [3, 2, 4]]), (Verdict::Intersect, 0b010_111_000, 0b101_000_000));
-    // In one plane: inside, along an edge, beside.
-    // Also with the other normal.
+    // In one plane: inside, also with the other normal, along an edge, beside.
     assert_eq!(of([[1, 1, 0], [2, 1, 0], [1, 2, 0]]), (Verdict::Intersect, 0, 0b111));
     assert_eq!(of([[1, 1, 0], [1, 2, 0], [2, 1, 0]]), (Verdict::Intersect, 0, 0b011));
     assert_eq!(of([[1, 0, 0], [2, 0, 0], [1, -2, 0]]), (Verdict::Intersect, 0, 0b10));
