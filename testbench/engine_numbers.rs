@@ -26,7 +26,7 @@ use rayon::prelude::*;
 use std::collections::HashSet;
 
 fn determinants() -> Params {
-    Params { method: Method::Determinants, ..small() }
+    Params { clocks_per_pair: 1, frequency: Params::default().frequency, ..small() }
 }
 
 /// The triangles of both meshes and some more.

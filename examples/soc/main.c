@@ -1,7 +1,7 @@
 /*
  * A processor that uses the unit and the engine: it sends pairs and queries through their registers, takes their interrupts, decides
- * undecided pairs exactly, and prints all answers on the serial line. Meshes, poses and pairs are in data.h, addresses in soc.h; all
- * other headers are those that efsat has generated.
+ * undecided pairs exactly, and prints all answers on the serial line. Meshes, poses and pairs are in data.h, what a processor has of
+ * its own in platform.h, addresses in soc.h; all other headers are those that efsat has generated.
  */
 #define EFSAT_RETEST_WORDS 64
 #include "data.h"
@@ -25,13 +25,19 @@ static struct answer from_pairs, from_queries;
 static volatile unsigned interrupts;
 static struct efsat_retest_room room;
 
+/* Ends the program with what was refused. */
+static void stop(const char *why);
+
+/* Both cores interrupt while a word of an answer waits: what is there is fetched, then the interrupt is cleared, which comes again if
+ * more is there. */
+static void take_interrupts(int of_pairs, int of_queries);
+
+#include "platform.h"
+
 static void put(const char *text)
 {
-  for (; *text; text++) {
-    while (*(volatile uint32_t *)UART_IS_FULL)
-      ;
-    *(volatile uint32_t *)UART_DATA = (uint8_t)*text;
-  }
+  for (; *text; text++)
+    put_byte((uint8_t)*text);
 }
 
 static void put_number(uint64_t number)
@@ -41,7 +47,6 @@ static void put_number(uint64_t number)
   put(digits);
 }
 
-/* Ends the program with what was refused. */
 static void stop(const char *why)
 {
   put("error: ");
@@ -57,37 +62,20 @@ static void stop_at(const struct efsat_engine_refusal *why)
   stop(efsat_engine_explain(why, text));
 }
 
-/* Both cores interrupt while a word of an answer waits: what is there is fetched, then the interrupt is cleared, which comes again if
- * more is there. */
-__attribute__((interrupt("machine"), used)) void trap(void)
+static void take_interrupts(int of_pairs, int of_queries)
 {
-  uint32_t pending, cause;
   int ended;
-  __asm__ volatile("csrr %0, mcause" : "=r"(cause));
-  if (cause >> 31 == 0)
-    stop("an exception");
-  __asm__ volatile("csrr %0, 0xfc0" : "=r"(pending));
   interrupts++;
-  if (pending >> PAIRS_INTERRUPT & 1) {
+  if (of_pairs) {
     from_pairs.size += pairs_efsat_registers_receive(PAIRS_BASE, from_pairs.bytes + from_pairs.size, sizeof from_pairs.bytes - from_pairs.size, &ended);
     from_pairs.ended |= ended;
     PAIRS_EFSAT_REGISTERS_WRITE(PAIRS_BASE, PAIRS_EFSAT_REGISTERS_PENDING, PAIRS_EFSAT_REGISTERS_PENDING_RECEIVE_MASK);
   }
-  if (pending >> QUERIES_INTERRUPT & 1) {
+  if (of_queries) {
     from_queries.size += efsat_registers_receive(QUERIES_BASE, from_queries.bytes + from_queries.size, sizeof from_queries.bytes - from_queries.size, &ended);
     from_queries.ended |= ended;
     EFSAT_REGISTERS_WRITE(QUERIES_BASE, EFSAT_REGISTERS_PENDING, EFSAT_REGISTERS_PENDING_RECEIVE_MASK);
   }
-}
-
-static void enable_interrupts(void)
-{
-  PAIRS_EFSAT_REGISTERS_WRITE(PAIRS_BASE, PAIRS_EFSAT_REGISTERS_MASK, PAIRS_EFSAT_REGISTERS_MASK_RECEIVE_MASK);
-  EFSAT_REGISTERS_WRITE(QUERIES_BASE, EFSAT_REGISTERS_MASK, EFSAT_REGISTERS_MASK_RECEIVE_MASK);
-  /* VexRiscv has a mask of its own beside the bits of RISC-V. */
-  __asm__ volatile("csrw 0xbc0, %0" ::"r"(UINT32_C(1) << PAIRS_INTERRUPT | UINT32_C(1) << QUERIES_INTERRUPT));
-  __asm__ volatile("csrw mie, %0" ::"r"(0x800));
-  __asm__ volatile("csrs mstatus, 8");
 }
 
 static void put_verdict(unsigned verdict, const double a[9], const double b[9], const double m[9], const double t[3])
@@ -199,6 +187,8 @@ int main(void)
     stop("the cores are not those of the headers");
   PAIRS_EFSAT_REGISTERS_WRITE(PAIRS_BASE, PAIRS_EFSAT_REGISTERS_CONTROL, PAIRS_EFSAT_REGISTERS_CONTROL_ENABLE_MASK);
   EFSAT_REGISTERS_WRITE(QUERIES_BASE, EFSAT_REGISTERS_CONTROL, EFSAT_REGISTERS_CONTROL_ENABLE_MASK);
+  PAIRS_EFSAT_REGISTERS_WRITE(PAIRS_BASE, PAIRS_EFSAT_REGISTERS_MASK, PAIRS_EFSAT_REGISTERS_MASK_RECEIVE_MASK);
+  EFSAT_REGISTERS_WRITE(QUERIES_BASE, EFSAT_REGISTERS_MASK, EFSAT_REGISTERS_MASK_RECEIVE_MASK);
   enable_interrupts();
   test_pairs();
   read_image(&images[0], image_a, sizeof image_a);

@@ -1,9 +1,10 @@
 """What the processor is given, and what it must print, by the reference model.
 
-    reference.py data EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS >data.h
-    reference.py expected EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS >expected.txt
+    reference.py data EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS POSES >data.h
+    reference.py expected EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS POSES >expected.txt
 
-EFSAT is the program, a mesh is an OBJ file, its image is of `efsat tree build`, and PAIRS is a CSV file of triangles.
+EFSAT is the program, a mesh is an OBJ file, its image is of `efsat tree build`, PAIRS is a CSV file of triangles, and POSES is how
+many of the poses below there are.
 """
 
 import csv
@@ -66,7 +67,7 @@ def verdict(efsat, word, row):
     return f"possibly-incorrect, exactly {told(efsat, [row], '--exact')[0]['exact']}"
 
 
-def data(efsat, meshes, images, pairs):
+def data(efsat, meshes, images, pairs, poses):
     def array(kind, name, rows):
         rows = ",\n".join("  {" + ", ".join(map(str, row)) + "}" for row in rows)
         print(f"static const {kind} {name}[][{len(rows_of[name][0])}] = {{\n{rows}\n}};")
@@ -76,12 +77,12 @@ def data(efsat, meshes, images, pairs):
     rows_of = {
         "mesh_a": meshes[0],
         "mesh_b": meshes[1],
-        "poses": [[float(x) for x in pose.split(",")] for pose in POSES],
+        "poses": [[float(x) for x in pose.split(",")] for pose in poses],
         "pairs": pairs,
         "pair_numbers": [[f"INT64_C({int(Fraction(x) * 2**FRACTION_BITS // 1)})" for x in row] for row in pairs],
     }
     print("/* Meshes, poses and pairs for main.c. */\n#include <stdint.h>")
-    print(f"#define POSES {len(POSES)}\n#define PAIRS {len(pairs)}\n#define MOST_TRIANGLES {max(map(len, meshes))}")
+    print(f"#define POSES {len(poses)}\n#define PAIRS {len(pairs)}\n#define MOST_TRIANGLES {max(map(len, meshes))}")
     for name, rows in rows_of.items():
         array("int64_t" if name == "pair_numbers" else "double", name, rows)
     # In memory, not in the program: the engine reads them there.
@@ -89,12 +90,12 @@ def data(efsat, meshes, images, pairs):
         print(f"static uint8_t {name}[] __attribute__((aligned(64))) = {{{', '.join(map(str, Path(image).read_bytes()))}}};")
 
 
-def expected(efsat, meshes, images, pairs):
+def expected(efsat, meshes, images, pairs, poses):
     pairs = scaled(pairs)
     for i, (row, answer) in enumerate(zip(pairs, told(efsat, pairs))):
         print(f"pair {i}: {verdict(efsat, VERDICTS.index(answer['verdict']), row)}")
     meshes = [triangles(mesh) for mesh in meshes]
-    for i, text in enumerate(POSES):
+    for i, text in enumerate(poses):
         run = subprocess.run([efsat, "tree", "answer", *images, "--pose", text], capture_output=True, text=True, check=True)
         answer = json.loads(run.stdout)["expected"]
         words = sorted((int(word, 16) for word in answer["answers"]), key=lambda word: word >> 8)
@@ -106,8 +107,8 @@ def expected(efsat, meshes, images, pairs):
     print("interrupts: some\nend")
 
 
-def main(what, efsat, mesh_a, mesh_b, image_a, image_b, pairs):
-    {"data": data, "expected": expected}[what](efsat, [mesh_a, mesh_b], [image_a, image_b], pairs)
+def main(what, efsat, mesh_a, mesh_b, image_a, image_b, pairs, poses):
+    {"data": data, "expected": expected}[what](efsat, [mesh_a, mesh_b], [image_a, image_b], pairs, POSES[: int(poses)])
 
 
 if __name__ == "__main__":

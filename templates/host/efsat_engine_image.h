@@ -44,6 +44,15 @@ static inline uint64_t {{ h.prefix }}efsat_engine_image_field(const uint8_t *byt
   return value & UINT64_MAX >> (64 - bits);
 }
 
+/* Whether one of the bits of a record from one to below another is set. */
+static inline int {{ h.prefix }}efsat_engine_image_used(const uint8_t *bytes, unsigned from, unsigned to)
+{
+  for (; from < to; from += 32)
+    if ({{ h.prefix }}efsat_engine_image_field(bytes, from, to - from < 32 ? to - from : 32))
+      return 1;
+  return 0;
+}
+
 /* The same with a sign, of less than 64 bits. */
 static inline int64_t {{ h.prefix }}efsat_engine_image_signed(const uint8_t *bytes, unsigned at, unsigned bits)
 {
@@ -159,8 +168,8 @@ static inline int {{ h.prefix }}efsat_engine_check_block(const struct {{ h.prefi
     if (link != UINT32_MAX)
       refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_IMAGE_FIELD, (uint32_t)at, link & INT32_MAX, 0, (int64_t)count - 1);
   }
-  for (unsigned i = {{ h.upper }}_BLOCK_BITS; i < 8 * {{ h.upper }}_IMAGE_BLOCK_BYTES && !refused; i++)
-    refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_IMAGE_FIELD, (uint32_t)at, (int64_t){{ h.prefix }}efsat_engine_image_field(block, i, 1), 0, 0);
+  if (!refused)
+    refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_IMAGE_FIELD, (uint32_t)at, {{ h.prefix }}efsat_engine_image_used(block, {{ h.upper }}_BLOCK_BITS, 8 * {{ h.upper }}_IMAGE_BLOCK_BYTES), 0, 0);
   return refused;
 }
 
@@ -231,9 +240,10 @@ static inline int {{ h.prefix }}efsat_engine_check_triangle(const struct {{ h.pr
     const int64_t found = {{ h.prefix }}efsat_engine_image_signed(triangle, {{ h.upper }}_TRIANGLE_STEP * (1 + i), {{ h.upper }}_TRIANGLE_STEP), due = {{ h.prefix }}efsat_engine_image_coordinate(image, place, i);
     refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_IMAGE_FIELD, (uint32_t)at, found, due, due);
   }
-  for (unsigned i = {{ h.upper }}_TRIANGLE_HEAD_BITS; i < 8 * {{ h.upper }}_IMAGE_TRIANGLE_BYTES && !refused; i++)
-    if (i < {{ h.upper }}_TRIANGLE_STEP || i >= 10 * {{ h.upper }}_TRIANGLE_STEP)
-      refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_IMAGE_FIELD, (uint32_t)at, (int64_t){{ h.prefix }}efsat_engine_image_field(triangle, i, 1), 0, 0);
+  if (!refused)
+    refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_IMAGE_FIELD, (uint32_t)at,
+        {{ h.prefix }}efsat_engine_image_used(triangle, {{ h.upper }}_TRIANGLE_HEAD_BITS, {{ h.upper }}_TRIANGLE_STEP) ||
+            {{ h.prefix }}efsat_engine_image_used(triangle, 10 * {{ h.upper }}_TRIANGLE_STEP, 8 * {{ h.upper }}_IMAGE_TRIANGLE_BYTES), 0, 0);
   return refused;
 }
 

@@ -2,9 +2,10 @@
 
 use super::skip;
 use efsat_hardware::tools::{self, Tool};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 use tempfile::TempDir;
 
 /// The GHDL of tests with short runs, that which compiles fastest; where none is installed none, which is said.
@@ -26,6 +27,22 @@ fn or_skip(found: &'static Option<Tool>) -> Option<&'static Tool> {
     found.as_ref()
 }
 
+/// Folders that are kept to the end of this run. Those of runs that have ended are deleted.
+fn kept() -> &'static Path {
+    static KEPT: LazyLock<PathBuf> = LazyLock::new(|| {
+        let all = Path::new(env!("CARGO_TARGET_TMPDIR")).join("ghdl");
+        let here = all.join(std::process::id().to_string());
+        std::fs::create_dir_all(&here).unwrap();
+        let ended = |run: &Path| Path::new("/proc/self").exists() && !Path::new("/proc").join(run).exists();
+        for run in std::fs::read_dir(&all).unwrap().flatten().filter(|run| ended(Path::new(&run.file_name()))) {
+            // Another run may delete it, too.
+            let _ = std::fs::remove_dir_all(run.path());
+        }
+        here
+    });
+    &KEPT
+}
+
 /// A folder in which GHDL works, in strict VHDL-93.
 pub struct Ghdl {
     tool: &'static Tool,
@@ -44,6 +61,23 @@ impl Ghdl {
     /// In a folder that is there.
     pub fn at(tool: &'static Tool, dir: &Path) -> Self {
         Self { tool, dir: dir.to_owned(), _scratch: None }
+    }
+
+    /// In a new folder with these files, names and texts, analysed in their order. The same files are analysed once in a run
+    /// of the tests.
+    pub fn analysed(tool: &'static Tool, files: &[(&str, &str)]) -> Self {
+        type Analysed = HashMap<String, Arc<OnceLock<Ghdl>>>;
+        static ANALYSED: LazyLock<Mutex<Analysed>> = LazyLock::new(Mutex::default);
+        let key =
+            files.iter().fold(tool.path.display().to_string(), |key, (name, text)| key + "\n" + name + "\n" + text);
+        let place = ANALYSED.lock().unwrap().entry(key).or_default().clone();
+        let first = place.get_or_init(|| {
+            let made = Self { tool, dir: tempfile::tempdir_in(kept()).unwrap().keep(), _scratch: None };
+            files.iter().for_each(|(name, text)| made.write(name, text));
+            made.analyse(&files.iter().map(|(name, _)| *name).collect::<Vec<_>>());
+            made
+        });
+        first.copy()
     }
 
     /// A copy of the folder, with all that was analysed in it.

@@ -40,6 +40,7 @@ struct Readme<'a> {
     name: String,
     stem: &'static str,
     projects: Vec<Project>,
+    ports: String,
     testbench: String,
 }
 
@@ -232,7 +233,8 @@ pub fn engine_design_files_with(
         files.push(FileRow::of_verilog(name));
         set.insert(name, text);
     }
-    set.insert("README.md", readme(design, prefix, command_line, name, files, projects));
+    let ports = packaged.port_tables(&set);
+    set.insert("README.md", readme(design, prefix, command_line, name.clone(), (files, projects, ports)));
     let text = manifest_of(design, command_line, &set);
     set.insert(manifest::NAME, text);
     Ok(set)
@@ -264,8 +266,7 @@ fn readme(
     prefix: &Prefix,
     command_line: &str,
     name: String,
-    files: Vec<FileRow>,
-    projects: Vec<Project>,
+    (files, projects, ports): (Vec<FileRow>, Vec<Project>, String),
 ) -> String {
     let params = &design.params;
     let [unit, volume] = design.multipliers();
@@ -319,6 +320,7 @@ fn readme(
         name,
         stem: core_of(design).stem,
         projects,
+        ports,
         testbench: prefix.of(TESTBENCH),
     };
     readme.render().expect("the template renders")

@@ -73,6 +73,7 @@ struct Readme<'a> {
     units: Vec<UnitRow>,
     files: Vec<FileRow>,
     projects: Vec<Project>,
+    ports: String,
 }
 
 /// As [`design_files_with`], packaged by default.
@@ -203,7 +204,8 @@ pub fn design_files_with(
         set.insert(name, text);
         described.push(FileRow::of_verilog(name));
     }
-    set.insert("README.md", readme(design, packaging, command_line, described, projects));
+    let ports = packaged.port_tables(&set);
+    set.insert("README.md", readme(design, packaging, command_line, (described, projects, ports)));
     let manifest = manifest::text(design, Some(&format), command_line, &set);
     set.insert(manifest::NAME, manifest);
     Ok(set)
@@ -230,8 +232,7 @@ fn readme(
     design: &Design,
     packaging: &Packaging,
     command_line: &str,
-    files: Vec<FileRow>,
-    projects: Vec<Project>,
+    (files, projects, ports): (Vec<FileRow>, Vec<Project>, String),
 ) -> String {
     let prefix = &packaging.prefix;
     let readme = Readme {
@@ -251,6 +252,7 @@ fn readme(
         units: units(design, prefix),
         files,
         projects,
+        ports,
     };
     readme.render().expect("the template renders")
 }

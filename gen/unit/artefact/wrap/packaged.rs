@@ -32,17 +32,68 @@ pub struct Packaged<'a> {
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Port {
     pub(super) name: String,
+    pub(super) direction: String,
     pub(super) ty: String,
+    /// What it is if it is left open; nothing if it must not be.
+    open: Option<String>,
+    /// The comment behind it.
+    note: String,
+}
+
+/// Ports that follow each other and differ in their names alone.
+struct PortRow {
+    first: String,
+    last: Option<String>,
+    direction: String,
+    bits: String,
+    open: String,
+    note: String,
+}
+
+impl PortRow {
+    fn new(ports: &[Port]) -> Self {
+        let (port, last) = (&ports[0], ports.last().filter(|_| ports.len() > 1));
+        let bits = port.ty.split_once('(').and_then(|(_, range)| range.split(" downto ").next()?.parse::<u32>().ok());
+        Self {
+            first: port.name.clone(),
+            last: last.map(|last| last.name.clone()),
+            direction: port.direction.clone(),
+            bits: bits.map_or(1, |high| high + 1).to_string(),
+            open: match port.open.as_deref() {
+                Some("'0'" | "(others => '0')") => "0".to_owned(),
+                Some("'1'") => "1".to_owned(),
+                Some("(others => '1')") => "ones".to_owned(),
+                Some(value) => value.trim_matches('"').to_owned(),
+                None => String::new(),
+            },
+            note: port.note.clone(),
+        }
+    }
+}
+
+/// An entity and its ports.
+struct PortTable<'a> {
+    entity: &'a str,
+    rows: Vec<PortRow>,
+}
+
+#[derive(Template)]
+#[template(path = "drop-in/ports.md", escape = "none")]
+struct PortTables<'a> {
+    tables: Vec<PortTable<'a>>,
 }
 
 /// The ports of an entity, from its text.
 pub(super) fn ports(text: &str) -> Vec<Port> {
     let lines = text.lines().skip_while(|line| line.trim() != "port (").skip(1).take_while(|line| line.trim() != ");");
     let port = |line: &str| {
-        let (name, rest) = line.split("--").next()?.split_once(" : ")?;
-        let ty = rest.split(" := ").next()?.trim().trim_end_matches(';');
-        let ty = ty.trim_start_matches("inout ").trim_start_matches("in ").trim_start_matches("out ").trim();
-        Some(Port { name: name.trim().to_owned(), ty: ty.to_owned() })
+        let (code, note) = line.split_once("--").unwrap_or((line, ""));
+        let (name, rest) = code.split_once(" : ")?;
+        let (direction, rest) = rest.trim().split_once(' ')?;
+        let rest = rest.trim().trim_end_matches(';');
+        let (ty, open) = rest.split_once(" := ").map_or((rest, None), |(ty, open)| (ty, Some(open.to_owned())));
+        let [name, direction, ty, note] = [name, direction, ty, note].map(|text| text.trim().to_owned());
+        Some(Port { name, direction, ty, open, note })
     };
     lines.filter_map(port).collect()
 }
@@ -66,6 +117,23 @@ impl Packaged<'_> {
         ports(set.get(&format!("{entity}.vhd")).expect("a core has its VHDL before its projects"))
     }
 
+    /// The ports of all entities that one may instantiate, as tables in Markdown.
+    pub fn port_tables(&self, set: &FileSet) -> String {
+        let alike = |a: &Port, b: &Port| {
+            // A format is the same in neighbours; any other note is about one port.
+            let format = a.note.is_empty() || a.note.starts_with(['s', 'u']) && !a.note.contains(' ');
+            let stem = |port: &Port| port.name.split('_').next().map(str::to_owned);
+            let same = (&a.direction, &a.ty, &a.open, &a.note) == (&b.direction, &b.ty, &b.open, &b.note);
+            same && format && a.ty != "std_logic" && stem(a) == stem(b)
+        };
+        let table = |entity: &'_ String| {
+            let ports = self.ports(set, entity);
+            ports.chunk_by(alike).map(PortRow::new).collect()
+        };
+        let tables = self.instances.iter().map(|entity| PortTable { entity, rows: table(entity) }).collect();
+        PortTables { tables }.render().expect("the template renders")
+    }
+
     /// The clock as SDC, which Vivado reads as XDC.
     pub(super) fn clock(&self) -> String {
         let picoseconds = 1_000_000 / self.frequency;
@@ -83,8 +151,15 @@ mod tests {
         let text = "entity a is\n  generic (\n    n : natural\n  );\n  port (\n    clk  : in  std_logic;\n    -- why : not\n    \
                     x : in std_logic_vector(7 downto 0) := (others => '1');  -- bytes : eight\n    y : out std_logic\n  );\n\
                     end entity a;\n  signal z : std_logic;\n";
-        let port = |name: &str, ty: &str| Port { name: name.to_owned(), ty: ty.to_owned() };
-        let expected = [port("clk", "std_logic"), port("x", "std_logic_vector(7 downto 0)"), port("y", "std_logic")];
-        assert_eq!(ports(text), expected);
+        let port = |name: &str, direction: &str, ty: &str| Port {
+            name: name.to_owned(),
+            direction: direction.to_owned(),
+            ty: ty.to_owned(),
+            open: None,
+            note: String::new(),
+        };
+        let x = port("x", "in", "std_logic_vector(7 downto 0)");
+        let x = Port { open: Some("(others => '1')".to_owned()), note: "bytes : eight".to_owned(), ..x };
+        assert_eq!(ports(text), [port("clk", "in", "std_logic"), x, port("y", "out", "std_logic")]);
     }
 }
