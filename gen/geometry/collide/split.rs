@@ -123,10 +123,8 @@ fn halve(items: &mut [(Point3<f64>, u32)], nodes: &mut [Node], root: u32, height
         let mut below = 0;
         for index in 0..items.len() {
             // Without a branch, as which it is cannot be foreseen.
-            let item = items[index];
-            items[index] = items[below];
-            items[below] = item;
-            below += usize::from(item.0[axis] < centre);
+            items.swap(index, below);
+            below += usize::from(items[below].0[axis] < centre);
         }
         if legal(items.len(), height).contains(&below) {
             middle = below;
