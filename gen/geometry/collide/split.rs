@@ -123,8 +123,9 @@ fn halve(items: &mut [(Point3<f64>, u32)], nodes: &mut [Node], root: u32, height
         let mut below = 0;
         for index in 0..items.len() {
             // Without a branch, as which it is cannot be foreseen.
+            let is_below = items[index].0[axis] < centre;
             items.swap(index, below);
-            below += usize::from(items[below].0[axis] < centre);
+            below += usize::from(is_below);
         }
         if legal(items.len(), height).contains(&below) {
             middle = below;
