@@ -213,8 +213,9 @@ def rows(what, programs, trees_apart=True):
     for name, measure in programs:
         trees, micros, found = measure()
         exact = found if exact is None else exact
-        wrong = [f"{len(x):,}" if x else "" for x in (exact - found, found - exact)]
-        numbers = [f"{trees:,.1f}" if trees_apart else "", f"{micros:,.0f}", f"{len(found):,}", *wrong]
+        missed, invented = exact - found, found - exact
+        wrong = f"{len(missed):,} / {len(invented):,}" if missed or invented else ""
+        numbers = [f"{trees:,.1f}" if trees_apart else "", f"{micros:,.0f}", f"{len(found):,}", wrong]
         print(f"| {what} | {name} | {' | '.join(numbers)} |", flush=True)
         what = ""
 
@@ -236,8 +237,8 @@ def pairs(what, a, b, poses):
 
 def main():
     most, scenes, files = int(sys.argv[1]), sys.argv[2].split(), sys.argv[3].split()
-    print("| scene or mesh | program | trees, ms | microseconds | found | missed | invented |")
-    print("| --- | --- | ---: | ---: | ---: | ---: | ---: |")
+    print("| scene or mesh | program | trees, ms | microseconds | found | missed / invented |")
+    print("| --- | --- | ---: | ---: | ---: | ---: |")
     for file in scenes:
         scene = efsat.scene(file)
         meshes = scene.meshes()

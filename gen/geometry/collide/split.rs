@@ -5,6 +5,7 @@
 
 use crate::mesh::{Bounds, Mesh};
 use nalgebra::Point3;
+use rayon::prelude::*;
 use std::ops::RangeInclusive;
 
 /// No leaf is deeper below the root, so that a stack of fixed size does for every tree.
@@ -88,39 +89,68 @@ fn split(mesh: &Mesh, group: usize) -> Vec<Node> {
     nodes
 }
 
-/// The nodes of a tree that is built in a fraction of the time and is good enough to be asked once: halves along the longest side of
-/// the box of the centres, by all threads of the current pool.
-pub(super) fn halves(mesh: &Mesh) -> Vec<Node> {
-    let centre = |face: &[u32; 3]| Bounds::of(face.map(|v| &mesh.vertices()[v as usize])).centre();
-    let mut items: Vec<(Point3<f64>, u32)> = mesh.faces().iter().map(centre).zip(0..).collect();
+/// The boxes of the triangles of a mesh.
+pub(super) fn boxes(mesh: &Mesh) -> Vec<Bounds> {
+    mesh.faces().par_iter().map(|face| Bounds::of(face.map(|v| &mesh.vertices()[v as usize]))).collect()
+}
+
+/// So few triangles are halved as they come.
+pub(super) const FEW: usize = 4;
+
+/// The nodes of a tree over triangles with the given boxes that is built in a fraction of the time and is good enough to be asked once:
+/// cut in the middle of the longest side of the box of the centres, or into halves where the tree would be too high; by all threads of
+/// the current pool.
+pub(super) fn halves(boxes: &[Bounds]) -> Vec<Node> {
+    let mut items: Vec<(Point3<f64>, u32)> = boxes.iter().map(Bounds::centre).zip(0..).collect();
     let mut nodes = vec![Node::Leaf(0); (2 * items.len()).saturating_sub(1)];
-    halve(&mut items, &mut nodes, 0);
+    halve(&mut items, &mut nodes, 0, HEIGHT);
     nodes
 }
 
-/// Fills the nodes of a subtree whose root has the number `root`.
-fn halve(items: &mut [(Point3<f64>, u32)], nodes: &mut [Node], root: u32) {
+/// Fills the nodes of a subtree whose root has the number `root`, no leaf of which may be deeper than `height`.
+fn halve(items: &mut [(Point3<f64>, u32)], nodes: &mut [Node], root: u32, height: u32) {
     let [parent, below @ ..] = nodes else { return };
     if let [(_, triangle)] = items {
         *parent = Node::Leaf(*triangle);
         return;
     }
-    let middle = items.len() / 2;
-    let bounds = Bounds::of(items.iter().map(|(centre, _)| centre));
-    // Halved, no side overflows.
-    let axis = (bounds.max.coords * 0.5 - bounds.min.coords * 0.5).imax();
-    items.select_nth_unstable_by(middle, |a, b| a.0[axis].total_cmp(&b.0[axis]).then(a.1.cmp(&b.1)));
+    let mut middle = items.len() / 2;
+    if items.len() > FEW {
+        let bounds = Bounds::of(items.iter().map(|(centre, _)| centre));
+        // Halved, no side overflows.
+        let axis = (bounds.max.coords * 0.5 - bounds.min.coords * 0.5).imax();
+        let centre = bounds.min[axis] * 0.5 + bounds.max[axis] * 0.5;
+        let mut below = 0;
+        for index in 0..items.len() {
+            // Without a branch, as which it is cannot be foreseen.
+            let is_below = items[index].0[axis] < centre;
+            items.swap(index, below);
+            below += usize::from(is_below);
+        }
+        if legal(items.len(), height).contains(&below) {
+            middle = below;
+        } else {
+            items.select_nth_unstable_by(middle, |a, b| a.0[axis].total_cmp(&b.0[axis]).then(a.1.cmp(&b.1)));
+        }
+    }
     let parallel = items.len() >= PARALLEL;
     let (left, right) = items.split_at_mut(middle);
     let (first, second) = (root + 1, root + 2 * middle as u32);
     *parent = Node::Inner(second);
     let (nodes_left, nodes_right) = below.split_at_mut(2 * middle - 1);
+    let height = height - 1;
     if parallel {
-        rayon::join(|| halve(left, nodes_left, first), || halve(right, nodes_right, second));
+        rayon::join(|| halve(left, nodes_left, first, height), || halve(right, nodes_right, second, height));
     } else {
-        halve(left, nodes_left, first);
-        halve(right, nodes_right, second);
+        halve(left, nodes_left, first, height);
+        halve(right, nodes_right, second, height);
     }
+}
+
+/// How many of the triangles may be on the left so that no leaf is deeper than `height`.
+fn legal(count: usize, height: u32) -> RangeInclusive<usize> {
+    let most = 1 << (height - 1);
+    count.saturating_sub(most).max(1)..=most.min(count - 1)
 }
 
 /// The offsets of all nodes along `k` directions, one node after the other, from those of the vertices: the greatest of what is
@@ -203,16 +233,11 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// Neither side gets fewer or more.
-    fn legal(&self) -> RangeInclusive<usize> {
-        let (count, most) = (self.spare.len(), 1 << (self.height - 1));
-        count.saturating_sub(most).max(1)..=most.min(count - 1)
-    }
-
     /// Puts the triangles left of the best cut between two of them before the others, or those right of it if there are fewer: a
     /// traversal visits the right side first, where the larger one makes contacts likelier. Says how many these are.
     fn cut(&mut self, items: &[Item]) -> usize {
-        let (count, legal) = (self.spare.len(), self.legal());
+        let count = self.spare.len();
+        let legal = legal(count, self.height);
         let mut best = NONE;
         for (axis, order) in self.orders.iter().enumerate() {
             let mut reach = Reach::NONE;
@@ -246,7 +271,8 @@ impl<'a> Part<'a> {
 
     /// The same for triangles in any order, between bins of equal width, if some cut is legal.
     fn cut_of_bins(&mut self, items: &[Item]) -> Option<usize> {
-        let (count, legal) = (self.spare.len(), self.legal());
+        let count = self.spare.len();
+        let legal = legal(count, self.height);
         let [triangles, ..] = &mut self.orders;
         let centres = triangles.iter().fold(Reach::NONE, |reach, &triangle| {
             let [x, y, z] = items[triangle as usize].centre;
@@ -377,16 +403,14 @@ mod tests {
             assert!((least..=most).contains(&height), "{height}");
             triangles.sort_unstable();
             assert!(triangles.into_iter().eq(0..mesh.faces().len() as u32));
-            let halves = halves(mesh);
+            let halves = halves(&boxes(mesh));
             let (mut triangles, height) = leaves(&halves, 0);
-            assert_eq!(
-                (halves.len(), height),
-                (2 * mesh.faces().len() - 1, mesh.faces().len().next_power_of_two().ilog2())
-            );
+            assert_eq!(halves.len(), nodes.len());
+            assert!((least.min(20)..=HEIGHT).contains(&height), "{height}");
             triangles.sort_unstable();
             assert!(triangles.into_iter().eq(0..mesh.faces().len() as u32));
         }
-        assert!(nodes(&Mesh::default()).is_empty() && halves(&Mesh::default()).is_empty());
+        assert!(nodes(&Mesh::default()).is_empty() && halves(&[]).is_empty());
     }
 
     /// The best tree, cut by cut: all triangles are sorted for each, along each axis.

@@ -11,7 +11,7 @@
 use super::Pose;
 use super::enclosure::image;
 use super::pieces::{MOST, rows};
-use super::split::{HEIGHT, Node, halves, nodes};
+use super::split::{FEW, HEIGHT, Node, boxes, halves, nodes};
 use crate::mesh::{Bounds, Mesh};
 
 /// A binary tree of axis-aligned boxes over the triangles of a mesh, one triangle to a leaf.
@@ -128,47 +128,63 @@ impl<'a> Candidates<'a> {
 pub struct Overlaps {
     /// The box of each triangle.
     boxes: Vec<Bounds>,
-    /// Of each inner node, parents first.
+    /// Children before parents.
     families: Vec<Family>,
 }
 
-/// The children of an inner node, in one line of a cache.
+/// Children of a node: as many as need no order among them.
+const CHILDREN: usize = FEW;
+
+/// The children of a node, in two lines of a cache: numbers of four children side by side, each of 31 bits below one that is set
+/// and stays so if a number is taken away that is not greater.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Family {
-    /// How far their boxes reach along the axes and along their opposites, in binary32, rounded outward: two sides a row, each of both
-    /// children.
-    reach: [[f32; 4]; 3],
-    /// The greatest number of a triangle below them.
-    last: [u32; 2],
+    /// How far their boxes reach along the axes and along their opposites.
+    reach: [u128; 6],
+    /// The greatest number of a triangle below them, so that a child that is not there is below no triangle: 0.
+    last: u128,
     /// What they are: a family, or a triangle with the highest bit set.
-    open: [u32; 2],
+    open: [u32; CHILDREN],
 }
 
-impl Family {
-    fn of(children: [&Child; 2]) -> Self {
-        let reach = [0, 1, 2].map(|row| [0, 1, 2, 3].map(|lane| children[lane % 2].reach[2 * row + lane / 2]));
-        Self { reach, last: children.map(|child| child.last), open: children.map(|child| child.open) }
-    }
+/// A number for each child.
+fn lanes(numbers: [u32; CHILDREN]) -> u128 {
+    numbers.into_iter().rev().fold(0, |lanes, number| lanes << 32 | u128::from(number))
 }
 
 /// What a family knows of one child.
+#[derive(Clone, Copy, Default)]
 struct Child {
-    reach: [f32; 6],
+    reach: [u32; 6],
     last: u32,
     open: u32,
 }
 
 impl Child {
-    /// The same of the family of two.
-    fn beside(&self, other: &Self, family: u32) -> Self {
-        let reach = std::array::from_fn(|side| self.reach[side].max(other.reach[side]));
-        Self { reach, last: self.last.max(other.last), open: family }
+    /// The same of a new family of its children.
+    fn of(children: &[Self], families: &mut Vec<Family>) -> Self {
+        let mut all = Self { open: families.len() as u32, ..Self::default() };
+        let mut four = [Self::default(); CHILDREN];
+        for (to, child) in four.iter_mut().zip(children) {
+            *to = *child;
+            all.reach.iter_mut().zip(child.reach).for_each(|(all, reach)| *all = reach.max(*all));
+            all.last = all.last.max(child.last);
+        }
+        let top = lanes([TOP; CHILDREN]);
+        families.push(Family {
+            reach: [0, 1, 2, 3, 4, 5].map(|side| top | lanes(four.map(|child| child.reach[side]))),
+            last: top | lanes(four.map(|child| child.last)),
+            open: four.map(|child| child.open),
+        });
+        all
     }
 }
 
+/// The highest bit of a number of 32.
+const TOP: u32 = 1 << 31;
 /// Marks a triangle.
-const TRIANGLE: u32 = 1 << 31;
+const TRIANGLE: u32 = TOP;
 
 impl Overlaps {
     /// Builds the tree of a mesh.
@@ -178,26 +194,36 @@ impl Overlaps {
     pub fn new(mesh: &Mesh) -> Self {
         let count = mesh.faces().len();
         assert!(count < TRIANGLE as usize, "expected fewer than 2^31 triangles, found {count}");
-        let nodes = halves(mesh);
-        let none = Family { reach: [[0.0; 4]; 3], last: [0; 2], open: [0; 2] };
-        let (mut boxes, mut families) = (vec![Bounds::empty(); count], vec![none; count.saturating_sub(1)]);
-        // From the last node on, a subtree ends where its root is: what is known of subtrees whose parents are still to come.
-        let (mut known, mut first) = (Vec::<Child>::new(), families.len());
-        for node in nodes.iter().rev() {
-            let child = match *node {
+        let boxes = boxes(mesh);
+        let mut families = Vec::with_capacity(count / 2 + 1);
+        // From the last node on, a subtree ends where its root is. The children without a family of the subtrees whose parents are
+        // still to come, and how many each subtree has; those on the left come later.
+        let (mut children, mut counts) = (vec![], vec![]);
+        for node in halves(&boxes).iter().rev() {
+            match *node {
                 Node::Leaf(triangle) => {
-                    let bounds = Bounds::of(mesh.faces()[triangle as usize].map(|v| &mesh.vertices()[v as usize]));
-                    boxes[triangle as usize] = bounds;
-                    Child { reach: reach(&bounds).map(outward), last: triangle, open: TRIANGLE | triangle }
+                    let reach = reach(&boxes[triangle as usize]).map(|x| order(outward(x)).div_ceil(2));
+                    children.push(Child { reach, last: triangle, open: triangle | TRIANGLE });
+                    counts.push(1);
                 }
                 Node::Inner(_) => {
-                    let [left, right] = [known.pop(), known.pop()].map(|x| x.expect("an inner node has two children"));
-                    first -= 1;
-                    families[first] = Family::of([&left, &right]);
-                    left.beside(&right, first as u32)
+                    let [right, left] = counts.last_chunk_mut().expect("an inner node has two children");
+                    while *left + *right > CHILDREN {
+                        let (first, larger) = match left < right {
+                            true => (children.len() - *left - *right, &mut *right),
+                            false => (children.len() - *left, &mut *left),
+                        };
+                        children[first] = Child::of(&children[first..][..*larger], &mut families);
+                        children.drain(first + 1..first + *larger);
+                        *larger = 1;
+                    }
+                    *right += *left;
+                    counts.pop();
                 }
-            };
-            known.push(child);
+            }
+        }
+        if !children.is_empty() {
+            Child::of(&children, &mut families);
         }
         Self { boxes, families }
     }
@@ -206,32 +232,32 @@ impl Overlaps {
     pub fn after(&self, triangle: u32, mut visit: impl FnMut(u32)) {
         let bounds = &self.boxes[triangle as usize];
         // A box overlaps if it reaches as far as this one does in the opposite directions.
-        let [x, y, z, u, v, w] = reach(bounds).map(|x| -outward(x));
-        let from = [[u, u, v, v], [w, w, x, x], [y, y, z, z]];
-        // Of each level at most one sibling waits.
-        let (mut stack, mut waiting) = ([0; HEIGHT as usize], usize::from(!self.families.is_empty()));
+        let [x, y, z, u, v, w] = reach(bounds).map(|x| lanes([order(-outward(x)) / 2; CHILDREN]));
+        let (from, after) = ([u, v, w, x, y, z], lanes([triangle + 1; CHILDREN]));
+        // Of each level all siblings but one wait.
+        let mut stack = [0; (CHILDREN - 1) * HEIGHT as usize + 1];
+        let mut waiting = self.families.len().min(1);
+        stack[0] = self.families.len().saturating_sub(1) as u32;
         while waiting > 0 {
             waiting -= 1;
             let Family { reach, last, open } = &self.families[stack[waiting] as usize];
             // All are compared without a branch between them.
-            let mut short = [0; 4];
-            for (reach, from) in reach.iter().zip(&from) {
-                for lane in 0..4 {
-                    short[lane] |= u32::from(reach[lane] < from[lane]);
-                }
-            }
-            for child in [1, 0] {
-                if (short[child] | short[child + 2] == 0) & (last[child] > triangle) {
-                    match open[child] {
-                        leaf if leaf & TRIANGLE != 0 => {
-                            if self.boxes[last[child] as usize].overlaps(bounds) {
-                                visit(last[child]);
-                            }
+            let enough = reach.iter().zip(&from).fold(last - after, |enough, (reach, from)| enough & (reach - from));
+            let mut hits =
+                (0..CHILDREN).fold(0, |hits, child| hits | ((enough >> (32 * child + 31)) as u32 & 1) << child);
+            while hits != 0 {
+                let child = hits.trailing_zeros() as usize % CHILDREN;
+                hits &= hits - 1;
+                match open[child] {
+                    leaf if leaf & TRIANGLE != 0 => {
+                        let other = leaf ^ TRIANGLE;
+                        if self.boxes[other as usize].overlaps(bounds) {
+                            visit(other);
                         }
-                        family => {
-                            stack[waiting] = family;
-                            waiting += 1;
-                        }
+                    }
+                    family => {
+                        stack[waiting] = family;
+                        waiting += 1;
                     }
                 }
             }
@@ -244,8 +270,53 @@ fn reach(Bounds { min, max }: &Bounds) -> [f64; 6] {
     [max.x, max.y, max.z, -min.x, -min.y, -min.z]
 }
 
+/// A number of 32 bits that is ordered as a number is, but for the two zeros, which differ by one: half of the lesser one, rounded
+/// up, is half of the other one.
+fn order(x: f32) -> u32 {
+    let bits = x.to_bits();
+    if bits & TOP == 0 { bits | TOP } else { !bits }
+}
+
 /// The least binary32 number that is not less.
 fn outward(x: f64) -> f32 {
     let near = x as f32;
     if f64::from(near) < x { near.next_up() } else { near }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::rngs::ChaCha8Rng;
+    use rand::{RngExt, SeedableRng};
+
+    /// Boxes that touch, zeros of both signs, numbers beyond binary32 and below it, and trees that are as high as they may be.
+    #[test]
+    fn overlaps_are_those_of_all_boxes() {
+        const SPECIAL: [f64; 8] = [0.0, -0.0, 1e300, -1e300, 1e-300, -1e-300, 16_777_217.0, -16_777_217.0];
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let mut found = 0;
+        for round in 0..600 {
+            let count = if round < 300 { round % 12 } else { 200u32 };
+            let mut number = || match round % 4 {
+                0 => f64::from(rng.random_range(-3..=3)),
+                1 => SPECIAL[rng.random_range(0..SPECIAL.len())],
+                2 => f64::from(rng.random_range(-300..300)).exp2(),
+                _ => 1.0 + f64::from(rng.random_range(0..8)) * f64::EPSILON,
+            };
+            let vertices: Vec<[f64; 3]> = (0..3 * count).map(|_| [(); 3].map(|()| number())).collect();
+            let mesh = Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2])).unwrap();
+            let overlaps = Overlaps::new(&mesh);
+            let all = boxes(&mesh);
+            for (triangle, bounds) in (0..count).zip(&all) {
+                let mut others = vec![];
+                overlaps.after(triangle, |other| others.push(other));
+                others.sort_unstable();
+                let expected: Vec<u32> =
+                    (triangle + 1..count).filter(|other| all[*other as usize].overlaps(bounds)).collect();
+                assert_eq!(others, expected, "round {round}, triangle {triangle}");
+                found += others.len();
+            }
+        }
+        assert!(found > 10_000, "{found}");
+    }
 }

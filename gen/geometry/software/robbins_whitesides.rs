@@ -92,6 +92,8 @@ pub(crate) fn is_in_range(point: &Point) -> bool {
 
 const A: [usize; 3] = [0, 1, 2];
 const B: [usize; 3] = [3, 4, 5];
+/// What projections along an axis keep.
+const PLANES: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
 
 /// How the triangles lie to each other, by the signs that are given.
 pub(super) fn relation(signs: &impl Signs) -> Relation {
@@ -103,6 +105,10 @@ pub(super) fn relation(signs: &impl Signs) -> Relation {
     let heights_a = A.map(|x| signs.volume([3, 4, 5, x]));
     if on_one_side(heights_a) {
         return across_planes(Exact::Separate);
+    }
+    // A is in the plane of B, if B has one, and then B is in that of A.
+    if heights_a == [0; 3] && PLANES.iter().any(|&axes| signs.area(axes, B) != 0) {
+        return in_plane(signs, 2);
     }
     let heights_b = B.map(|x| signs.volume([0, 1, 2, x]));
     if on_one_side(heights_b) {

@@ -141,8 +141,20 @@ const KINDS: [fn(&mut ChaCha8Rng) -> Points; 10] = [
 fn mixed(seed: u64, count: usize) -> Vec<Points> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let pair = |i: usize| {
-        let points = KINDS[i % KINDS.len()](&mut rng);
-        if rng.random_range(0..16) == 0 { scaled(&mut rng, &points) } else { points }
+        let mut points = KINDS[i % KINDS.len()](&mut rng);
+        // Zeros of both signs are one.
+        for x in points.as_flattened_mut().iter_mut().filter(|x| **x == 0.0) {
+            *x = if rng.random() { 0.0 } else { -0.0 };
+        }
+        match rng.random_range(0..32) {
+            0..2 => scaled(&mut rng, &points),
+            // A coordinate that all have in common, however far away.
+            2 => {
+                let (axis, far) = (rng.random_range(0..3), f64::from(rng.random_range(-1074..1023)).exp2());
+                points.map(|point| [0, 1, 2].map(|i| if i == axis { far } else { point[i] }))
+            }
+            _ => points,
+        }
     };
     (0..count).map(pair).collect()
 }
