@@ -1,10 +1,10 @@
 """What the processor is given, and what it must print, by the reference model.
 
-    reference.py data EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS POSES >data.h
-    reference.py expected EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS POSES >expected.txt
+    reference.py data EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS POSES METHOD >data.h
+    reference.py expected EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS POSES METHOD >expected.txt
 
-EFSAT is the program, a mesh is an OBJ file, its image is of `efsat tree build`, PAIRS is a CSV file of triangles, and POSES is how
-many of the poses below there are.
+EFSAT is the program, a mesh is an OBJ file, its image is of `efsat tree build`, PAIRS is a CSV file of triangles, POSES is how many of
+the poses below there are, and METHOD is that of the unit.
 """
 
 import csv
@@ -67,7 +67,7 @@ def verdict(efsat, word, row):
     return f"possibly-incorrect, exactly {told(efsat, [row], '--exact')[0]['exact']}"
 
 
-def data(efsat, meshes, images, pairs, poses):
+def data(efsat, meshes, images, pairs, poses, _method):
     def array(kind, name, rows):
         rows = ",\n".join("  {" + ", ".join(map(str, row)) + "}" for row in rows)
         print(f"static const {kind} {name}[][{len(rows_of[name][0])}] = {{\n{rows}\n}};")
@@ -90,9 +90,9 @@ def data(efsat, meshes, images, pairs, poses):
         print(f"static uint8_t {name}[] __attribute__((aligned(64))) = {{{', '.join(map(str, Path(image).read_bytes()))}}};")
 
 
-def expected(efsat, meshes, images, pairs, poses):
+def expected(efsat, meshes, images, pairs, poses, method):
     pairs = scaled(pairs)
-    for i, (row, answer) in enumerate(zip(pairs, told(efsat, pairs))):
+    for i, (row, answer) in enumerate(zip(pairs, told(efsat, pairs, "--method", method))):
         print(f"pair {i}: {verdict(efsat, VERDICTS.index(answer['verdict']), row)}")
     meshes = [triangles(mesh) for mesh in meshes]
     for i, text in enumerate(poses):
@@ -107,8 +107,9 @@ def expected(efsat, meshes, images, pairs, poses):
     print("interrupts: some\nend")
 
 
-def main(what, efsat, mesh_a, mesh_b, image_a, image_b, pairs, poses):
-    {"data": data, "expected": expected}[what](efsat, [mesh_a, mesh_b], [image_a, image_b], pairs, POSES[: int(poses)])
+def main(what, efsat, mesh_a, mesh_b, image_a, image_b, pairs, poses, method):
+    tell = {"data": data, "expected": expected}[what]
+    tell(efsat, [mesh_a, mesh_b], [image_a, image_b], pairs, POSES[: int(poses)], method)
 
 
 if __name__ == "__main__":
