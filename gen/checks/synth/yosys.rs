@@ -33,13 +33,14 @@ pub fn run(yosys: &Tool, name: &str, commands: &str, dir: &Path) -> Result<(), T
     tools::call(&yosys.path, &["-s", &script], dir, &format!("{name}.log"))
 }
 
-/// The commands that read the Verilog that GHDL has written to `source` in a folder. XST makes shift registers in look-up
+/// The commands that read the Verilog that GHDL has written to `source` in a folder. Yosys keeps wires with the attribute
+/// `keep`, and the registers behind them only if they have it too. XST makes shift registers in look-up
 /// tables of delay lines with a tap; Yosys finds none in Verilog of GHDL, so there they are put in.
 ///
 /// # Errors
 /// A file that cannot be read.
 pub fn read(family: Family, source: &str, dir: &Path) -> Result<String, ToolError> {
-    let mut commands = format!("read_verilog {source}\n");
+    let mut commands = format!("read_verilog {source}\nproc\nsetattr -set keep 1 w:* a:keep %i %ci2 t:$dff %i\n");
     if family != Family::Virtex2 {
         return Ok(commands);
     }
@@ -97,7 +98,18 @@ fn without_adders(command: &str) -> String {
          chtype -set held t:$add\n\
          {command} -run map_dsp:coarse\n\
          chtype -set $add t:held\n\
-         {command} -run coarse:\n"
+         {}",
+        from_coarse(command)
+    )
+}
+
+/// What a command of [`xilinx`] does after the multipliers. Yosys up to 0.67 makes shift registers of FDREs and leaves their
+/// enable out (its issue 6058), so they are made of what FDREs are made of later.
+fn from_coarse(command: &str) -> String {
+    format!(
+        "{command} -run coarse:map_ffs\n\
+         xilinx_srl -fixed -minlen 3\n\
+         {command} -nosrl -run map_ffs:\n"
     )
 }
 
@@ -112,7 +124,8 @@ fn with_chains(command: &str) -> String {
          select -assert-none *_less_1*/t:$add\n\
          setparam -set IS_ALUMODE_INVERTED 4'b0011 *_less_1*/o:* %a %ci1 t:DSP48E1 %i\n\
          chtype -set $add t:held\n\
-         {command} -run coarse:\n"
+         {}",
+        from_coarse(command)
     )
 }
 

@@ -2,6 +2,7 @@
 
 use crate::cells::{Bit, Source, Words};
 use crate::device::MultiplierRegisters;
+use crate::netlist::SignalId;
 use std::collections::HashMap;
 
 /// What governs a register.
@@ -11,6 +12,8 @@ pub(super) struct Control {
     pub reset: Option<Bit>,
     /// Value at the start and after a reset.
     pub start: Bit,
+    /// Of a copy that is to stay apart.
+    pub copy: Option<SignalId>,
 }
 
 /// One bit.

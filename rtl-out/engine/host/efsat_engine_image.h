@@ -61,6 +61,15 @@ static inline uint64_t efsat_engine_image_field(const uint8_t *bytes, unsigned a
   return value & UINT64_MAX >> (64 - bits);
 }
 
+/* Whether one of the bits of a record from one to below another is set. */
+static inline int efsat_engine_image_used(const uint8_t *bytes, unsigned from, unsigned to)
+{
+  for (; from < to; from += 32)
+    if (efsat_engine_image_field(bytes, from, to - from < 32 ? to - from : 32))
+      return 1;
+  return 0;
+}
+
 /* The same with a sign, of less than 64 bits. */
 static inline int64_t efsat_engine_image_signed(const uint8_t *bytes, unsigned at, unsigned bits)
 {
@@ -163,8 +172,8 @@ static inline int efsat_engine_check_block(const struct efsat_engine_image *imag
     if (link != UINT32_MAX)
       refused = efsat_engine_range(why, EFSAT_ENGINE_REFUSED_IMAGE_FIELD, (uint32_t)at, link & INT32_MAX, 0, (int64_t)count - 1);
   }
-  for (unsigned i = EFSAT_ENGINE_BLOCK_BITS; i < 8 * EFSAT_ENGINE_IMAGE_BLOCK_BYTES && !refused; i++)
-    refused = efsat_engine_range(why, EFSAT_ENGINE_REFUSED_IMAGE_FIELD, (uint32_t)at, (int64_t)efsat_engine_image_field(block, i, 1), 0, 0);
+  if (!refused)
+    refused = efsat_engine_range(why, EFSAT_ENGINE_REFUSED_IMAGE_FIELD, (uint32_t)at, efsat_engine_image_used(block, EFSAT_ENGINE_BLOCK_BITS, 8 * EFSAT_ENGINE_IMAGE_BLOCK_BYTES), 0, 0);
   return refused;
 }
 
@@ -235,9 +244,10 @@ static inline int efsat_engine_check_triangle(const struct efsat_engine_image *i
     const int64_t found = efsat_engine_image_signed(triangle, EFSAT_ENGINE_TRIANGLE_STEP * (1 + i), EFSAT_ENGINE_TRIANGLE_STEP), due = efsat_engine_image_coordinate(image, place, i);
     refused = efsat_engine_range(why, EFSAT_ENGINE_REFUSED_IMAGE_FIELD, (uint32_t)at, found, due, due);
   }
-  for (unsigned i = EFSAT_ENGINE_TRIANGLE_HEAD_BITS; i < 8 * EFSAT_ENGINE_IMAGE_TRIANGLE_BYTES && !refused; i++)
-    if (i < EFSAT_ENGINE_TRIANGLE_STEP || i >= 10 * EFSAT_ENGINE_TRIANGLE_STEP)
-      refused = efsat_engine_range(why, EFSAT_ENGINE_REFUSED_IMAGE_FIELD, (uint32_t)at, (int64_t)efsat_engine_image_field(triangle, i, 1), 0, 0);
+  if (!refused)
+    refused = efsat_engine_range(why, EFSAT_ENGINE_REFUSED_IMAGE_FIELD, (uint32_t)at,
+        efsat_engine_image_used(triangle, EFSAT_ENGINE_TRIANGLE_HEAD_BITS, EFSAT_ENGINE_TRIANGLE_STEP) ||
+            efsat_engine_image_used(triangle, 10 * EFSAT_ENGINE_TRIANGLE_STEP, 8 * EFSAT_ENGINE_IMAGE_TRIANGLE_BYTES), 0, 0);
   return refused;
 }
 

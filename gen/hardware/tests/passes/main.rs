@@ -9,6 +9,7 @@ mod divide;
 mod evaluate;
 mod flat;
 mod graph;
+mod loads;
 mod lower;
 mod names;
 mod phases;
