@@ -1,10 +1,12 @@
-// All contacts of two meshes by CGAL or Embree: `peers PROGRAM DIR ROUNDS` reads a.f64 and b.f64, nine numbers a triangle, and
+// All contacts of two meshes by CGAL, Embree or Bullet: `peers PROGRAM DIR ROUNDS` reads a.f64 and b.f64, nine numbers a triangle, and
 // poses.f64, rows and translation of B's poses; writes found.u32, pose, triangle of A and of B; and prints the least processor seconds
 // for the trees and, of all queries, the mean of the least. Corners of B are moved in binary64.
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
+#include <BulletCollision/Gimpact/btGImpactShape.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +17,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -121,6 +124,55 @@ struct Embree {
   }
 };
 
+// Trees of boxes and the test of two triangles of GIMPACT, as its btGImpactCollisionAlgorithm calls them, with a margin of 0.
+struct Bullet {
+  struct Shape {
+    std::vector<double> corners;
+    std::vector<int> faces;
+    btTriangleIndexVertexArray mesh;
+    btGImpactMeshShapePart part;
+    Shape(const Triangles &all)
+        : corners(flat(all)), faces(numbers(3 * all.size())),
+          mesh(all.size(), faces.data(), 3 * sizeof(int), faces.size(), corners.data(), 3 * sizeof(double)), part(&mesh, 0) {
+      part.setMargin(0);
+      part.updateBound();
+      part.lockChildShapes();
+    }
+    ~Shape() { part.unlockChildShapes(); }
+    static std::vector<double> flat(const Triangles &all) {
+      std::vector<double> x;
+      for (const auto &t : all)
+        for (int i = 0; i < 9; i++) x.push_back(t[i / 3][i % 3]);
+      return x;
+    }
+    static std::vector<int> numbers(size_t count) {
+      std::vector<int> all(count);
+      std::iota(all.begin(), all.end(), 0);
+      return all;
+    }
+  };
+  Shape a, b;
+  Bullet(const Triangles &a, const Triangles &b) : a(a), b(b) {}
+  Pairs query(const Pose &m) {
+    const btTransform to(btMatrix3x3(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]), btVector3(m[9], m[10], m[11]));
+    btPairSet near;
+    btGImpactBoxSet::find_collision(a.part.getBoxSet(), btTransform::getIdentity(), b.part.getBoxSet(), to, near);
+    Pairs found;
+    btPrimitiveTriangle first, second;
+    GIM_TRIANGLE_CONTACT contact;
+    for (int i = 0; i < near.size(); i++) {
+      a.part.getPrimitiveTriangle(near[i].m_index1, first);
+      b.part.getPrimitiveTriangle(near[i].m_index2, second);
+      second.applyTransform(to);
+      first.buildTriPlane();
+      second.buildTriPlane();
+      if (first.overlap_test_conservative(second) && first.find_triangle_collision_clip_method(second, contact))
+        found.push_back({uint32_t(near[i].m_index1), uint32_t(near[i].m_index2)});
+    }
+    return found;
+  }
+};
+
 template <class Program> static void run(const std::string &dir, int rounds) {
   const Triangles a = triangles(read(dir + "/a.f64")), b = triangles(read(dir + "/b.f64"));
   const std::vector<double> numbers = read(dir + "/poses.f64");
@@ -151,9 +203,11 @@ template <class Program> static void run(const std::string &dir, int rounds) {
 }
 
 int main(int count, char **words) {
-  if (count != 4 || (std::string(words[1]) != "CGAL" && std::string(words[1]) != "Embree")) {
-    std::fprintf(stderr, "expected CGAL or Embree, a folder and a number of rounds\n");
+  const std::string program = count == 4 ? words[1] : "";
+  const auto asked = program == "CGAL" ? run<Cgal> : program == "Embree" ? run<Embree> : program == "Bullet" ? run<Bullet> : nullptr;
+  if (!asked) {
+    std::fprintf(stderr, "expected CGAL, Embree or Bullet, a folder and a number of rounds\n");
     return 2;
   }
-  (std::string(words[1]) == "CGAL" ? run<Cgal> : run<Embree>)(words[2], std::stoi(words[3]));
+  asked(words[2], std::stoi(words[3]));
 }

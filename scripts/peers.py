@@ -12,8 +12,9 @@ import efsat
 import numpy as np
 
 ROUNDS = 5
-#: peers.cpp as a program, if it could be compiled.
-COMPILED = sys.argv[4]
+#: Commands of peers.cpp and peers.rs, if they could be compiled.
+COMPILED = {name: [sys.argv[4], name] for name in ("CGAL", "Embree", "Bullet") if sys.argv[4]}
+COMPILED |= {"parry": [file] for file in sys.argv[5:] if file}
 Shape = collections.namedtuple("Shape", "vertices faces")
 
 
@@ -196,27 +197,27 @@ def timed(program, poses):
 
 
 def compiled(name, a, b, poses):
-    """The same of a program in peers.cpp."""
+    """The same of a program of COMPILED."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         for mesh, file in [(a, "a.f64"), (b, "b.f64")]:
             mesh.vertices[mesh.faces].astype("<f8").tofile(folder / file)
         np.array([[*pose[:3, :3].flat, *pose[:3, 3]] for pose in poses]).astype("<f8").tofile(folder / "poses.f64")
-        said = subprocess.run([COMPILED, name, str(folder), str(ROUNDS)], check=True, capture_output=True, text=True).stdout
+        said = subprocess.run([*COMPILED[name], folder, str(ROUNDS)], check=True, capture_output=True, text=True).stdout
         trees, query = map(float, said.split())
         return 1e3 * trees, 1e6 * query, set(map(tuple, np.fromfile(folder / "found.u32", "<u4").reshape(-1, 3).tolist()))
 
 
 def rows(what, programs, trees_apart=True):
-    """A row for each program; only the first one says what was asked, and none that nothing was missed or invented."""
+    """A row for each program: the first one says what was asked and how many pairs there are, the others what they missed and invented."""
     exact = None
     for name, measure in programs:
         trees, micros, found = measure()
-        exact = found if exact is None else exact
-        missed, invented = exact - found, found - exact
-        wrong = f"{len(missed):,} / {len(invented):,}" if missed or invented else ""
-        numbers = [f"{trees:,.1f}" if trees_apart else "", f"{micros:,.0f}", f"{len(found):,}", wrong]
-        print(f"| {what} | {name} | {' | '.join(numbers)} |", flush=True)
+        if exact is None:
+            exact, says = found, f"{len(found):,}"
+        else:
+            says = f"{len(exact - found):,} / {len(found - exact):,}" if found != exact else ""
+        print(f"| {what} | {name} | {f'{trees:,.1f}' if trees_apart else ''} | {micros:,.0f} | {says} |", flush=True)
         what = ""
 
 
@@ -230,15 +231,14 @@ def installed(programs):
 
 def pairs(what, a, b, poses):
     measures = [(name, lambda program=program: timed(lambda: program(a, b), poses)) for name, program in installed(CONTACTS)]
-    if COMPILED:
-        measures += [(name, lambda name=name: compiled(name, a, b, poses)) for name in ("CGAL", "Embree")]
+    measures += [(name, lambda name=name: compiled(name, a, b, poses)) for name in COMPILED]
     rows(what, measures)
 
 
 def main():
     most, scenes, files = int(sys.argv[1]), sys.argv[2].split(), sys.argv[3].split()
-    print("| scene or mesh | program | trees, ms | microseconds | found | missed / invented |")
-    print("| --- | --- | ---: | ---: | ---: | ---: |")
+    print("| scene or mesh | program | trees, ms | microseconds | pairs, or missed / invented |")
+    print("| --- | --- | ---: | ---: | ---: |")
     for file in scenes:
         scene = efsat.scene(file)
         meshes = scene.meshes()
