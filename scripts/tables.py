@@ -175,7 +175,7 @@ def files(*devices):
     for device in devices:
         with tempfile.TemporaryDirectory() as folder:
             run(f"efsat generate --device {device} --out {folder}")
-            listed = Path(folder, "README.md").read_text().split("## The files")[1]
+            listed = Path(folder, "README.md").read_text().split("## The files")[1].split("\n## ")[0]
         for name, what in re.findall(r"^\| `(\S+)` \| (.*) \|$", listed, re.MULTILINE):
             if not name.endswith(".vhd") or "constants" in name:
                 what = re.sub(r", part \S+\.$", ".", what)
