@@ -13,13 +13,6 @@ package {{ name }} is
   {{ line }}
 {%- endfor %}
   type numbers_t is array (natural range <>) of integer;
-{%- if functions.contains("keep") %}
-
-  -- Of registers that are copies, so that no net has too many loads: tools are not to merge them.
-  attribute keep : string;
-  attribute equivalent_register_removal : string;
-  attribute syn_preserve : boolean;
-{%- endif %}
 {%- if functions.contains("flag") %}
 
   -- A condition as a flag.

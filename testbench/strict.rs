@@ -92,9 +92,7 @@ fn complaints(tool: &Tool, dir: &Path, standard: &str, files: &[&str], benches: 
         // A message that is not a note of what was found, such as a memory; the other lines quote the source.
         let message = |line: &&str| line.contains(":error:") || line.contains("warning") || line.starts_with("** ");
         let note = |line: &&str| line.contains(":note:") || line.starts_with("** Note");
-        // Attributes of other tools, on copies of registers.
-        let foreign = |line: &&str| line.contains(":warning: unhandled attribute");
-        let said: Vec<&str> = text.lines().filter(message).filter(|line| !note(line) && !foreign(line)).collect();
+        let said: Vec<&str> = text.lines().filter(message).filter(|line| !note(line)).collect();
         let other = text.lines().filter(|line| line.contains("latch") || line.contains("not bound"));
         let said: Vec<&str> = said.into_iter().chain(other).collect();
         complaints.extend(said.iter().map(|line| format!("{} {}: {line}", tool.version, more.join(" "))));

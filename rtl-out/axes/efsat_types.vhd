@@ -129,11 +129,6 @@ package efsat_types is
   constant zero_interval_18_vector_x4 : interval_18_vector_x4_t := (others => zero_interval_18_vector);
   type numbers_t is array (natural range <>) of integer;
 
-  -- Of registers that are copies, so that no net has too many loads: tools are not to merge them.
-  attribute keep : string;
-  attribute equivalent_register_removal : string;
-  attribute syn_preserve : boolean;
-
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
 

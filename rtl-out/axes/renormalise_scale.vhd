@@ -26,24 +26,6 @@ architecture rtl of renormalise_scale is
   signal shifted_1_d1 : interval_33_vector_t := zero_interval_33_vector;  -- |.| <= 4294967296
   signal shift0_d1 : std_logic_vector(2 downto 0) := (others => '0');
   signal shifted_0 : interval_33_vector_t;  -- s1.32; |.| <= 4294967295
-  signal shift_z0_d1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_y0_d1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_x0_d1_copy : std_logic := '0';  -- for at most 64 loads each
-  attribute keep of
-    shift0_d1,
-    shift_z0_d1_copy,
-    shift_y0_d1_copy,
-    shift_x0_d1_copy : signal is "true";
-  attribute equivalent_register_removal of
-    shift0_d1,
-    shift_z0_d1_copy,
-    shift_y0_d1_copy,
-    shift_x0_d1_copy : signal is "no";
-  attribute syn_preserve of
-    shift0_d1,
-    shift_z0_d1_copy,
-    shift_y0_d1_copy,
-    shift_x0_d1_copy : signal is true;
 begin
   -- Clock 0
   shifted_4_lo_each : for i in 0 to 2 generate
@@ -65,19 +47,12 @@ begin
       for i in 0 to 2 loop
         shift0_d1(i) <= shift(i)(0);
       end loop;
-      shift_z0_d1_copy <= shift(2)(0);
-      shift_y0_d1_copy <= shift(1)(0);
-      shift_x0_d1_copy <= shift(0)(0);
     end if;
   end process clock_1;
-  shifted_0(0).lo <= shift_left(shifted_1_d1(0).lo, 1) when shift0_d1(0) = '1' else shifted_1_d1(0).lo;
-  shifted_0(0).hi <= shift_left(shifted_1_d1(0).hi, 1) when shift_x0_d1_copy = '1' else shifted_1_d1(0).hi;
-  shifted_0(1).lo <= shift_left(shifted_1_d1(1).lo, 1) when shift0_d1(1) = '1' else shifted_1_d1(1).lo;
-  shifted_0(1).hi <= shift_left(shifted_1_d1(1).hi, 1) when shift_y0_d1_copy = '1' else shifted_1_d1(1).hi;
-  shifted_0(2).lo <= shift_left(shifted_1_d1(2).lo, 1) when shift0_d1(2) = '1' else shifted_1_d1(2).lo;
-  shifted_0(2).hi <= shift_left(shifted_1_d1(2).hi, 1) when shift_z0_d1_copy = '1' else shifted_1_d1(2).hi;
-  scaled_lo_each : for i in 0 to 2 generate
+  shifted_0_lo_each : for i in 0 to 2 generate
+    shifted_0(i).lo <= shift_left(shifted_1_d1(i).lo, 1) when shift0_d1(i) = '1' else shifted_1_d1(i).lo;
+    shifted_0(i).hi <= shift_left(shifted_1_d1(i).hi, 1) when shift0_d1(i) = '1' else shifted_1_d1(i).hi;
     scaled(i).lo <= resize(shifted_0(i).lo(32 downto 16), 18);
     scaled(i).hi <= resize(shifted_0(i).hi(32 downto 16), 18) + 1;
-  end generate scaled_lo_each;
+  end generate shifted_0_lo_each;
 end architecture rtl;

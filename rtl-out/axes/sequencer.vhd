@@ -25,7 +25,8 @@ entity sequencer is
     accept_address : out unsigned(3 downto 0);
     decide_address : out unsigned(3 downto 0);
     take_address   : out unsigned(3 downto 0);
-    pose_ready     : out std_logic
+    pose_ready     : out std_logic;
+    pose_accept    : out std_logic
   );
 end entity sequencer;
 
@@ -57,6 +58,7 @@ architecture rtl of sequencer is
   signal output_free : std_logic;
   signal take_pair : std_logic;
   signal pose_phase : std_logic := '0';  -- set in phase 9
+  signal takes_pose : std_logic;
 begin
   taken_turned <= taken + 16;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
@@ -66,10 +68,11 @@ begin
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
   take_pair <= not empty and output_free;
+  takes_pose <= running and pose_phase;
   accept_address <= accepted(3 downto 0);
   decide_address <= decided(3 downto 0);
   take_address <= taken(3 downto 0);
-  pose_ready <= running and pose_phase;
+  pose_accept <= pose_valid and takes_pose;
 
   -- State
   state : process (clk)
@@ -139,4 +142,5 @@ begin
   decide <= decide_pair;
   out_valid <= offered;
   take <= take_pair;
+  pose_ready <= takes_pose;
 end architecture rtl;

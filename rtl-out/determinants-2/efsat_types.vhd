@@ -10,8 +10,6 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 package efsat_types is
-  type unsigned_3_x2_t is array (0 to 1) of unsigned(2 downto 0);
-  constant zero_unsigned_3_x2 : unsigned_3_x2_t := (others => (others => '0'));
   type unsigned_20_x2_t is array (0 to 1) of unsigned(19 downto 0);
   type unsigned_21_x2_t is array (0 to 1) of unsigned(20 downto 0);
   constant zero_unsigned_21_x2 : unsigned_21_x2_t := (others => (others => '0'));
@@ -55,7 +53,6 @@ package efsat_types is
   constant zero_unsigned_28_x4 : unsigned_28_x4_t := (others => (others => '0'));
   type signed_19_x4_t is array (0 to 3) of signed(18 downto 0);
   type signed_32_x4_t is array (0 to 3) of signed(31 downto 0);
-  type unsigned_3_x5_t is array (0 to 4) of unsigned(2 downto 0);
   type unsigned_21_x5_t is array (0 to 4) of unsigned(20 downto 0);
   type unsigned_22_x5_t is array (0 to 4) of unsigned(21 downto 0);
   constant zero_unsigned_22_x5 : unsigned_22_x5_t := (others => (others => '0'));
@@ -129,13 +126,7 @@ package efsat_types is
   constant zero_flag_x4_vector : flag_x4_vector_t := (others => (others => '0'));
   type signed_19_x5_vector_t is array (0 to 2) of signed_19_x5_t;
   type signed_33_x5_vector_t is array (0 to 2) of signed_33_x5_t;
-  type flag_x4_vector_x3_t is array (0 to 2) of flag_x4_vector_t;
   type numbers_t is array (natural range <>) of integer;
-
-  -- Of registers that are copies, so that no net has too many loads: tools are not to merge them.
-  attribute keep : string;
-  attribute equivalent_register_removal : string;
-  attribute syn_preserve : boolean;
 
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;

@@ -755,27 +755,10 @@ architecture rtl of pair_pipeline is
   signal busy_7_or_busy_19_or_busy_21_or_busy_25 : std_logic;
   signal busy_7_or_busy_19_or_busy_21_or_busy_25_or_busy_27 : std_logic;
   signal busy_20 : std_logic := '0';  -- set in clocks 19 to 20 of a pair
-  signal level_h4_d1_copy : unsigned_3_x2_t := zero_unsigned_3_x2;  -- for at most 64 loads each
-  signal places_d2_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_z2_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal strobe0_copy : std_logic_vector(97 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_z1_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_z0_h1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_y2_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_y1_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_y0_h1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_x2_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_x1_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_x0_h1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal pose_bypass_h7_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal row_m0_select_at_1_copy : std_logic_vector(8 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal row_m0_select_at_0_copy : std_logic_vector(31 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe1_copy : std_logic_vector(63 downto 0) := (others => '0');  -- for at most 64 loads each
   signal row_turned_unit_m : signed_32_vector_x5_t;
   signal row_turned_unit_w : signed_32_vector_x5_t;
   signal shift_unit_x : signed_33_x5_vector_t;
   signal lane_shifted_unit_x : signed_33_vector_x3_t;
-  signal lane_shifted_unit_shift : flag_x4_vector_x3_t;
   signal carried_unit_cut : signed_19_x5_vector_t;
   signal dot_lane_unit_x : signed_18_vector_x5_t;
   signal dot_lane_unit_m : signed_18_vector_x5_t;
@@ -792,7 +775,6 @@ architecture rtl of pair_pipeline is
   signal length_measure0_plane_a0_unit_plane_b : unsigned_27_x2_t;
   signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
   signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
-  signal length_first_unit_by : unsigned_3_x5_t;
   signal compared0_sign0_unit_sign : std_logic_vector(1 downto 0);
   signal compared1_sign0_unit_sign : std_logic_vector(1 downto 0);
   signal compared2_sign0_unit_sign : std_logic_vector(1 downto 0);
@@ -824,78 +806,6 @@ architecture rtl of pair_pipeline is
   signal separated8_result_unit_sides : flag_x2_x3_t;
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
-  attribute keep of
-    strobe,
-    row_m0_select_at_0,
-    row_m0_select_at_1,
-    pose_bypass_h7,
-    shift_h1,
-    places_d2,
-    level_h4_d1,
-    level_h4_d1_copy,
-    places_d2_copy,
-    shift_z2_h1_copy,
-    strobe0_copy,
-    shift_z1_h1_copy,
-    shift_z0_h1_copy,
-    shift_y2_h1_copy,
-    shift_y1_h1_copy,
-    shift_y0_h1_copy,
-    shift_x2_h1_copy,
-    shift_x1_h1_copy,
-    shift_x0_h1_copy,
-    pose_bypass_h7_copy,
-    row_m0_select_at_1_copy,
-    row_m0_select_at_0_copy,
-    strobe1_copy : signal is "true";
-  attribute equivalent_register_removal of
-    strobe,
-    row_m0_select_at_0,
-    row_m0_select_at_1,
-    pose_bypass_h7,
-    shift_h1,
-    places_d2,
-    level_h4_d1,
-    level_h4_d1_copy,
-    places_d2_copy,
-    shift_z2_h1_copy,
-    strobe0_copy,
-    shift_z1_h1_copy,
-    shift_z0_h1_copy,
-    shift_y2_h1_copy,
-    shift_y1_h1_copy,
-    shift_y0_h1_copy,
-    shift_x2_h1_copy,
-    shift_x1_h1_copy,
-    shift_x0_h1_copy,
-    pose_bypass_h7_copy,
-    row_m0_select_at_1_copy,
-    row_m0_select_at_0_copy,
-    strobe1_copy : signal is "no";
-  attribute syn_preserve of
-    strobe,
-    row_m0_select_at_0,
-    row_m0_select_at_1,
-    pose_bypass_h7,
-    shift_h1,
-    places_d2,
-    level_h4_d1,
-    level_h4_d1_copy,
-    places_d2_copy,
-    shift_z2_h1_copy,
-    strobe0_copy,
-    shift_z1_h1_copy,
-    shift_z0_h1_copy,
-    shift_y2_h1_copy,
-    shift_y1_h1_copy,
-    shift_y0_h1_copy,
-    shift_x2_h1_copy,
-    shift_x1_h1_copy,
-    shift_x0_h1_copy,
-    pose_bypass_h7_copy,
-    row_m0_select_at_1_copy,
-    row_m0_select_at_0_copy,
-    strobe1_copy : signal is true;
 begin
   -- Strobes, one per phase
   strobes : process (clk)
@@ -903,12 +813,6 @@ begin
     if rising_edge(clk) then
       strobe(0) <= flag(phase = '1') and in_flight;
       strobe(1) <= flag(phase = '0') and in_flight;
-      for k in 0 to 97 loop
-        strobe0_copy(k) <= flag(phase = '1') and in_flight;
-      end loop;
-      for k in 0 to 63 loop
-        strobe1_copy(k) <= flag(phase = '0') and in_flight;
-      end loop;
     end if;
   end process strobes;
   in_phase_1 <= flag(phase = '1');
@@ -985,22 +889,12 @@ begin
   -- Clock 2
   moved_each : for i in 0 to 2 generate
     moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v0_inside(i), 33);
+    row_w(0)(i) <= in_w1_inside_h2(i) when row_m0_select_at_0 = '1' else in_w0_inside(i);
+    row_w(1)(i) <= in_w1_inside_h2(i) when row_m0_select_at_0 = '1' else in_w0_inside(i);
+    row_w(2)(i) <= in_w1_inside_h2(i) when row_m0_select_at_0 = '1' else in_w0_inside(i);
+    row_w(3)(i) <= in_w2_inside_h2(i) when row_m0_select_at_0 = '1' else in_w2_inside(i);
+    row_m3(i) <= pose_m1_inside(i) when row_m0_select_at_0 = '1' else pose_m0_inside(i);
   end generate moved_each;
-  row_w(0)(0) <= in_w1_inside_h2(0) when row_m0_select_at_0 = '1' else in_w0_inside(0);
-  row_w(0)(1) <= in_w1_inside_h2(1) when row_m0_select_at_0 = '1' else in_w0_inside(1);
-  row_w(0)(2) <= in_w1_inside_h2(2) when row_m0_select_at_0_copy(0) = '1' else in_w0_inside(2);
-  row_w(1)(0) <= in_w1_inside_h2(0) when row_m0_select_at_0_copy(0) = '1' else in_w0_inside(0);
-  row_w(1)(1) <= in_w1_inside_h2(1) when row_m0_select_at_0_copy(1) = '1' else in_w0_inside(1);
-  row_w(1)(2) <= in_w1_inside_h2(2) when row_m0_select_at_0_copy(1) = '1' else in_w0_inside(2);
-  row_w(2)(0) <= in_w1_inside_h2(0) when row_m0_select_at_0_copy(2) = '1' else in_w0_inside(0);
-  row_w(2)(1) <= in_w1_inside_h2(1) when row_m0_select_at_0_copy(2) = '1' else in_w0_inside(1);
-  row_w(2)(2) <= in_w1_inside_h2(2) when row_m0_select_at_0_copy(3) = '1' else in_w0_inside(2);
-  row_w(3)(0) <= in_w2_inside_h2(0) when row_m0_select_at_0_copy(5) = '1' else in_w2_inside(0);
-  row_w(3)(1) <= in_w2_inside_h2(1) when row_m0_select_at_0_copy(5) = '1' else in_w2_inside(1);
-  row_w(3)(2) <= in_w2_inside_h2(2) when row_m0_select_at_0_copy(6) = '1' else in_w2_inside(2);
-  row_m3(0) <= pose_m1_inside(0) when row_m0_select_at_0_copy(3) = '1' else pose_m0_inside(0);
-  row_m3(1) <= pose_m1_inside(1) when row_m0_select_at_0_copy(4) = '1' else pose_m0_inside(1);
-  row_m3(2) <= pose_m1_inside(2) when row_m0_select_at_0_copy(4) = '1' else pose_m0_inside(2);
   outside_flags <= unsigned(pose_m2_outside) & unsigned(pose_m1_outside) & unsigned(pose_m0_outside) &
       unsigned(pose_t_outside) & unsigned(in_w2_outside) & unsigned(in_w1_outside) & unsigned(in_w0_outside) &
       unsigned(in_v2_outside) & unsigned(in_v1_outside) & unsigned(in_v0_outside);
@@ -1045,9 +939,9 @@ begin
   -- Clock 7
   row_same(0) <= in_w1_inside_h6(0) when row_m0_select_at_1 = '1' else in_w0_inside_h6(0);
   row_same(1) <= in_w1_inside_h6(1) when row_m0_select_at_1 = '1' else in_w0_inside_h6(1);
-  row_same(2) <= in_w1_inside_h6(2) when row_m0_select_at_1_copy(0) = '1' else in_w0_inside_h6(2);
-  row_same(3) <= in_w2_inside_h6(1) when row_m0_select_at_1_copy(2) = '1' else in_w2_inside_h6(0);
-  row_moved3 <= moved_h5(1) when row_m0_select_at_1_copy(1) = '1' else moved_h5(0);
+  row_same(2) <= in_w1_inside_h6(2) when row_m0_select_at_1 = '1' else in_w0_inside_h6(2);
+  row_same(3) <= in_w2_inside_h6(1) when row_m0_select_at_1 = '1' else in_w2_inside_h6(0);
+  row_moved3 <= moved_h5(1) when row_m0_select_at_1 = '1' else moved_h5(0);
 
   -- Clock 8
   clock_8 : process (clk)
@@ -1055,9 +949,9 @@ begin
     if rising_edge(clk) then
       row_choice_d1(0) <= choose(pose_bypass_h7, row_same(0), row_turned(0));
       row_choice_d1(1) <= choose(pose_bypass_h7, row_same(1), row_turned(1));
-      row_choice_d1(2) <= choose(pose_bypass_h7_copy(0), row_same(2), row_turned(2));
-      row_choice_d1(3) <= choose(pose_bypass_h7_copy(0), row_same(3), row_turned(3));
-      row_choice_d1(4) <= choose(pose_bypass_h7_copy(1), in_w2_inside_h6(2), row_turned(4));
+      row_choice_d1(2) <= choose(pose_bypass_h7, row_same(2), row_turned(2));
+      row_choice_d1(3) <= choose(pose_bypass_h7, row_same(3), row_turned(3));
+      row_choice_d1(4) <= choose(pose_bypass_h7, in_w2_inside_h6(2), row_turned(4));
       moved_h5_d1 <= moved_h5;
       row_moved3_d1 <= row_moved3;
     end if;
@@ -1093,12 +987,10 @@ begin
   end generate shift_unit;
 
   -- Clock 12
-  lane_0_each : for i in 0 to 2 generate
-    lane(0)(i) <= difference_w1_h2(i) when row_m0_select_at_0_copy(i + 7) = '1' else difference_v1_h10(i);
-  end generate lane_0_each;
-  lane(1)(0) <= difference_w2_x_h4 when row_m0_select_at_0_copy(10) = '1' else difference_v2_h10(0);
-  lane(1)(1) <= difference_w2_h2(1) when row_m0_select_at_0_copy(11) = '1' else difference_v2_h10(1);
-  lane(1)(2) <= difference_w2_z_h4 when row_m0_select_at_0_copy(12) = '1' else difference_v2_h10(2);
+  lane(0) <= difference_w1_h2 when row_m0_select_at_0 = '1' else difference_v1_h10;
+  lane(1)(0) <= difference_w2_x_h4 when row_m0_select_at_0 = '1' else difference_v2_h10(0);
+  lane(1)(1) <= difference_w2_h2(1) when row_m0_select_at_0 = '1' else difference_v2_h10(1);
+  lane(1)(2) <= difference_w2_z_h4 when row_m0_select_at_0 = '1' else difference_v2_h10(2);
 
   -- Clock 13
   clock_13 : process (clk)
@@ -1111,34 +1003,9 @@ begin
   lane_shifted_unit_x(0) <= lane_d1(0);
   lane_shifted_unit_x(1) <= lane_d1(1);
   lane_shifted_unit_x(2) <= difference_w0_h2_d1;
-  lane_shifted_unit_shift(0) <= shift_h1;
-  lane_shifted_unit_shift(1)(0)(0) <= shift_x0_h1_copy(0);
-  lane_shifted_unit_shift(1)(0)(1) <= shift_h1(0)(1);
-  lane_shifted_unit_shift(1)(0)(2) <= shift_h1(0)(2);
-  lane_shifted_unit_shift(1)(0)(3) <= shift_h1(0)(3);
-  lane_shifted_unit_shift(1)(1)(0) <= shift_y0_h1_copy(0);
-  lane_shifted_unit_shift(1)(1)(1) <= shift_h1(1)(1);
-  lane_shifted_unit_shift(1)(1)(2) <= shift_h1(1)(2);
-  lane_shifted_unit_shift(1)(1)(3) <= shift_h1(1)(3);
-  lane_shifted_unit_shift(1)(2)(0) <= shift_z0_h1_copy(0);
-  lane_shifted_unit_shift(1)(2)(1) <= shift_h1(2)(1);
-  lane_shifted_unit_shift(1)(2)(2) <= shift_h1(2)(2);
-  lane_shifted_unit_shift(1)(2)(3) <= shift_h1(2)(3);
-  lane_shifted_unit_shift(2)(0)(0) <= shift_x0_h1_copy(1);
-  lane_shifted_unit_shift(2)(0)(1) <= shift_x1_h1_copy;
-  lane_shifted_unit_shift(2)(0)(2) <= shift_x2_h1_copy;
-  lane_shifted_unit_shift(2)(0)(3) <= shift_h1(0)(3);
-  lane_shifted_unit_shift(2)(1)(0) <= shift_y0_h1_copy(1);
-  lane_shifted_unit_shift(2)(1)(1) <= shift_y1_h1_copy;
-  lane_shifted_unit_shift(2)(1)(2) <= shift_y2_h1_copy;
-  lane_shifted_unit_shift(2)(1)(3) <= shift_h1(1)(3);
-  lane_shifted_unit_shift(2)(2)(0) <= shift_z0_h1_copy(1);
-  lane_shifted_unit_shift(2)(2)(1) <= shift_z1_h1_copy;
-  lane_shifted_unit_shift(2)(2)(2) <= shift_z2_h1_copy;
-  lane_shifted_unit_shift(2)(2)(3) <= shift_h1(2)(3);
   lane_shifted_unit : for k in 0 to 2 generate
     unit : entity work.coordinate_scale
-      port map (x => lane_shifted_unit_x(k), shift => lane_shifted_unit_shift(k), cut => lane_shifted(k));
+      port map (x => lane_shifted_unit_x(k), shift => shift_h1, cut => lane_shifted(k));
   end generate lane_shifted_unit;
 
   -- Clock 15
@@ -1161,30 +1028,30 @@ begin
   axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(known(taken_z_h1))), 3);
   axis_level0_resized_less_choice <= axis_level(1) when
       less(signed(resize(axis_level(0), 4)), signed(resize(axis_level(1), 4))) = '1' else axis_level(0);
-  moment_plus(0)(0) <= coordinate_w2(1) when row_m0_select_at_0_copy(12) = '1' else coordinate_w0(1);
-  moment_plus(0)(1) <= coordinate_w0(2) when row_m0_select_at_0_copy(13) = '1' else coordinate_w1(2);
-  moment_plus(1)(0) <= coordinate_w2(2) when row_m0_select_at_0_copy(14) = '1' else coordinate_w0(2);
-  moment_plus(1)(1) <= coordinate_w0(0) when row_m0_select_at_0_copy(14) = '1' else coordinate_w1(0);
-  moment_plus(2)(0) <= coordinate_w2(0) when row_m0_select_at_0_copy(15) = '1' else coordinate_w0(0);
-  moment_plus(2)(1) <= coordinate_w0(1) when row_m0_select_at_0_copy(15) = '1' else coordinate_w1(1);
-  moment_plus(3)(0) <= coordinate_v1(1) when row_m0_select_at_0_copy(16) = '1' else coordinate_w1(1);
-  moment_plus(3)(1) <= coordinate_v2(2) when row_m0_select_at_0_copy(17) = '1' else coordinate_w2(2);
-  moment_plus(4)(0) <= coordinate_v1(2) when row_m0_select_at_0_copy(18) = '1' else coordinate_w1(2);
-  moment_plus(4)(1) <= coordinate_v2(0) when row_m0_select_at_0_copy(18) = '1' else coordinate_w2(0);
-  moment_plus(5)(0) <= coordinate_v1(0) when row_m0_select_at_0_copy(19) = '1' else coordinate_w1(0);
-  moment_plus(5)(1) <= coordinate_v2(1) when row_m0_select_at_0_copy(19) = '1' else coordinate_w2(1);
-  moment_minus(0)(0) <= coordinate_w2(2) when row_m0_select_at_0_copy(13) = '1' else coordinate_w0(2);
-  moment_minus(0)(1) <= coordinate_w0(1) when row_m0_select_at_0_copy(13) = '1' else coordinate_w1(1);
-  moment_minus(1)(0) <= coordinate_w2(0) when row_m0_select_at_0_copy(14) = '1' else coordinate_w0(0);
-  moment_minus(1)(1) <= coordinate_w0(2) when row_m0_select_at_0_copy(15) = '1' else coordinate_w1(2);
-  moment_minus(2)(0) <= coordinate_w2(1) when row_m0_select_at_0_copy(16) = '1' else coordinate_w0(1);
-  moment_minus(2)(1) <= coordinate_w0(0) when row_m0_select_at_0_copy(16) = '1' else coordinate_w1(0);
-  moment_minus(3)(0) <= coordinate_v1(2) when row_m0_select_at_0_copy(17) = '1' else coordinate_w1(2);
-  moment_minus(3)(1) <= coordinate_v2(1) when row_m0_select_at_0_copy(17) = '1' else coordinate_w2(1);
-  moment_minus(4)(0) <= coordinate_v1(0) when row_m0_select_at_0_copy(18) = '1' else coordinate_w1(0);
-  moment_minus(4)(1) <= coordinate_v2(2) when row_m0_select_at_0_copy(19) = '1' else coordinate_w2(2);
-  moment_minus(5)(0) <= coordinate_v1(1) when row_m0_select_at_0_copy(20) = '1' else coordinate_w1(1);
-  moment_minus(5)(1) <= coordinate_v2(0) when row_m0_select_at_0_copy(20) = '1' else coordinate_w2(0);
+  moment_plus(0)(0) <= coordinate_w2(1) when row_m0_select_at_0 = '1' else coordinate_w0(1);
+  moment_plus(0)(1) <= coordinate_w0(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
+  moment_plus(1)(0) <= coordinate_w2(2) when row_m0_select_at_0 = '1' else coordinate_w0(2);
+  moment_plus(1)(1) <= coordinate_w0(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
+  moment_plus(2)(0) <= coordinate_w2(0) when row_m0_select_at_0 = '1' else coordinate_w0(0);
+  moment_plus(2)(1) <= coordinate_w0(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
+  moment_plus(3)(0) <= coordinate_v1(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
+  moment_plus(3)(1) <= coordinate_v2(2) when row_m0_select_at_0 = '1' else coordinate_w2(2);
+  moment_plus(4)(0) <= coordinate_v1(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
+  moment_plus(4)(1) <= coordinate_v2(0) when row_m0_select_at_0 = '1' else coordinate_w2(0);
+  moment_plus(5)(0) <= coordinate_v1(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
+  moment_plus(5)(1) <= coordinate_v2(1) when row_m0_select_at_0 = '1' else coordinate_w2(1);
+  moment_minus(0)(0) <= coordinate_w2(2) when row_m0_select_at_0 = '1' else coordinate_w0(2);
+  moment_minus(0)(1) <= coordinate_w0(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
+  moment_minus(1)(0) <= coordinate_w2(0) when row_m0_select_at_0 = '1' else coordinate_w0(0);
+  moment_minus(1)(1) <= coordinate_w0(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
+  moment_minus(2)(0) <= coordinate_w2(1) when row_m0_select_at_0 = '1' else coordinate_w0(1);
+  moment_minus(2)(1) <= coordinate_w0(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
+  moment_minus(3)(0) <= coordinate_v1(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
+  moment_minus(3)(1) <= coordinate_v2(1) when row_m0_select_at_0 = '1' else coordinate_w2(1);
+  moment_minus(4)(0) <= coordinate_v1(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
+  moment_minus(4)(1) <= coordinate_v2(2) when row_m0_select_at_0 = '1' else coordinate_w2(2);
+  moment_minus(5)(0) <= coordinate_v1(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
+  moment_minus(5)(1) <= coordinate_v2(0) when row_m0_select_at_0 = '1' else coordinate_w2(0);
   coordinate_w0_unit : entity work.coordinate_round
     port map (cut => coordinate_cut2_h2, carried => carried_h1, y => coordinate_w0);
   coordinate_w1_unit : entity work.coordinate_round
@@ -1214,15 +1081,15 @@ begin
   e_a1_each : for i in 0 to 2 generate
     e_a1(i) <= resize(coordinate_v2_h1(i), 19) - resize(coordinate_v1_h1(i), 19);
   end generate e_a1_each;
-  norm_x_x(0) <= norm_x0_resized_third_h2(0) when row_m0_select_at_0_copy(26) = '1' else resize(coordinate_v1(0), 19);
-  norm_x_x(1) <= e_b(0)(0) when row_m0_select_at_0_copy(27) = '1' else resize(coordinate_v2(0), 19);
-  norm_x_x(3) <= e_b(2)(0) when row_m0_select_at_0_copy(28) = '1' else norm_x3_resized_h2(0);
-  norm_x_y(0) <= norm_x0_resized_third_h2(1) when row_m0_select_at_0_copy(27) = '1' else resize(coordinate_v1(1), 19);
-  norm_x_y(1) <= e_b(0)(1) when row_m0_select_at_0_copy(28) = '1' else resize(coordinate_v2(1), 19);
-  norm_x_y(3) <= e_b(2)(1) when row_m0_select_at_0_copy(29) = '1' else norm_x3_resized_h2(1);
-  norm_x_z(0) <= norm_x0_resized_third_h2(2) when row_m0_select_at_0_copy(27) = '1' else resize(coordinate_v1(2), 19);
-  norm_x_z(1) <= e_b(0)(2) when row_m0_select_at_0_copy(28) = '1' else resize(coordinate_v2(2), 19);
-  norm_x_z(3) <= e_b(2)(2) when row_m0_select_at_0_copy(29) = '1' else norm_x3_resized_h2(2);
+  norm_x_x(0) <= norm_x0_resized_third_h2(0) when row_m0_select_at_0 = '1' else resize(coordinate_v1(0), 19);
+  norm_x_x(1) <= e_b(0)(0) when row_m0_select_at_0 = '1' else resize(coordinate_v2(0), 19);
+  norm_x_x(3) <= e_b(2)(0) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(0);
+  norm_x_y(0) <= norm_x0_resized_third_h2(1) when row_m0_select_at_0 = '1' else resize(coordinate_v1(1), 19);
+  norm_x_y(1) <= e_b(0)(1) when row_m0_select_at_0 = '1' else resize(coordinate_v2(1), 19);
+  norm_x_y(3) <= e_b(2)(1) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(1);
+  norm_x_z(0) <= norm_x0_resized_third_h2(2) when row_m0_select_at_0 = '1' else resize(coordinate_v1(2), 19);
+  norm_x_z(1) <= e_b(0)(2) when row_m0_select_at_0 = '1' else resize(coordinate_v2(2), 19);
+  norm_x_z(3) <= e_b(2)(2) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(2);
 
   -- Clock 19
   clock_19 : process (clk)
@@ -1245,9 +1112,9 @@ begin
     e_b(1)(i) <= resize(coordinate_w2_h3(i), 19) - resize(coordinate_w1_h3(i), 19);
     e_b(2)(i) <= resize(coordinate_w0_h3(i), 19) - resize(coordinate_w2_h3(i), 19);
   end generate e_b_0_each;
-  norm_x_x(2) <= e_b(1)(0) when row_m0_select_at_1_copy(3) = '1' else e_a1(0);
-  norm_x_y(2) <= e_b(1)(1) when row_m0_select_at_1_copy(4) = '1' else e_a1(1);
-  norm_x_z(2) <= e_b(1)(2) when row_m0_select_at_1_copy(4) = '1' else e_a1(2);
+  norm_x_x(2) <= e_b(1)(0) when row_m0_select_at_1 = '1' else e_a1(0);
+  norm_x_y(2) <= e_b(1)(1) when row_m0_select_at_1 = '1' else e_a1(1);
+  norm_x_z(2) <= e_b(1)(2) when row_m0_select_at_1 = '1' else e_a1(2);
   norm_lane_unit_x(0) <= norm_x0_d1;
   norm_lane_unit_x(1) <= norm_x1_d1;
   norm_lane_unit_x(2) <= norm_x2_d1;
@@ -1289,11 +1156,11 @@ begin
     to_unsigned(4096, 15) when known(level) = 5 else
     to_unsigned(16384, 15);
   rest_of_level_aligned <= append(rest_of_level, 1);
-  boxes_v(0) <= coordinate_v1_h4(2) when row_m0_select_at_1_copy(6) = '1' else coordinate_v1_h4(0);
-  boxes_v(1) <= coordinate_v2_h4(2) when row_m0_select_at_1_copy(7) = '1' else coordinate_v2_h4(0);
-  boxes_w(0) <= coordinate_w0_h6(2) when row_m0_select_at_1_copy(7) = '1' else coordinate_w0_h4(0);
-  boxes_w(1) <= coordinate_w1_h6(2) when row_m0_select_at_1_copy(7) = '1' else coordinate_w1_h4(0);
-  boxes_w(2) <= coordinate_w2_h6(2) when row_m0_select_at_1_copy(8) = '1' else coordinate_w2_h4(0);
+  boxes_v(0) <= coordinate_v1_h4(2) when row_m0_select_at_1 = '1' else coordinate_v1_h4(0);
+  boxes_v(1) <= coordinate_v2_h4(2) when row_m0_select_at_1 = '1' else coordinate_v2_h4(0);
+  boxes_w(0) <= coordinate_w0_h6(2) when row_m0_select_at_1 = '1' else coordinate_w0_h4(0);
+  boxes_w(1) <= coordinate_w1_h6(2) when row_m0_select_at_1 = '1' else coordinate_w1_h4(0);
+  boxes_w(2) <= coordinate_w2_h6(2) when row_m0_select_at_1 = '1' else coordinate_w2_h4(0);
 
   -- Clock 22
   clock_22 : process (clk)
@@ -1309,12 +1176,10 @@ begin
       coordinate_w2_y_h4_d1 <= coordinate_w2_h4(1);
     end if;
   end process clock_22;
-  moment_exact(0)(0) <= moment_cut(6) when row_m0_select_at_0_copy(20) = '1' else moment_cut(0);
-  moment_exact(0)(1) <= moment_cut(7) when row_m0_select_at_0_copy(21) = '1' else moment_cut(1);
-  moment_exact(0)(2) <= moment_cut(8) when row_m0_select_at_0_copy(21) = '1' else moment_cut(2);
-  moment_exact(1)(0) <= moment_cut(9) when row_m0_select_at_0_copy(21) = '1' else moment_cut(3);
-  moment_exact(1)(1) <= moment_cut(10) when row_m0_select_at_0_copy(22) = '1' else moment_cut(4);
-  moment_exact(1)(2) <= moment_cut(11) when row_m0_select_at_0_copy(22) = '1' else moment_cut(5);
+  moment_exact_0_each : for i in 0 to 2 generate
+    moment_exact(0)(i) <= moment_cut(i + 6) when row_m0_select_at_0 = '1' else moment_cut(i);
+    moment_exact(1)(i) <= moment_cut(i + 9) when row_m0_select_at_0 = '1' else moment_cut(i + 3);
+  end generate moment_exact_0_each;
   boxes_lane_unit_v(0) <= boxes_v_d1;
   boxes_lane_unit_v(1)(0) <= coordinate_v1_y_h4_d1;
   boxes_lane_unit_v(1)(1) <= coordinate_v2_y_h4_d1;
@@ -1349,24 +1214,12 @@ begin
       places_d1 <= places;
     end if;
   end process clock_24;
-  dot_x1(0) <= coordinate_v2_h8(0) when row_m0_select_at_0_copy(22) = '1' else coordinate_v1_h6(0);
-  dot_x1(1) <= coordinate_v2_h8(1) when row_m0_select_at_0_copy(23) = '1' else coordinate_v1_h6(1);
-  dot_x1(2) <= coordinate_v2_h8(2) when row_m0_select_at_0_copy(23) = '1' else coordinate_v1_h6(2);
-  dot_x2(0) <= coordinate_v2_h8(0) when row_m0_select_at_0_copy(23) = '1' else coordinate_v1_h6(0);
-  dot_x2(1) <= coordinate_v2_h8(1) when row_m0_select_at_0_copy(24) = '1' else coordinate_v1_h6(1);
-  dot_x2(2) <= coordinate_v2_h8(2) when row_m0_select_at_0_copy(24) = '1' else coordinate_v1_h6(2);
-  dot_x3(0) <= coordinate_v2_h8(0) when row_m0_select_at_0_copy(24) = '1' else coordinate_v1_h6(0);
-  dot_x3(1) <= coordinate_v2_h8(1) when row_m0_select_at_0_copy(25) = '1' else coordinate_v1_h6(1);
-  dot_x3(2) <= coordinate_v2_h8(2) when row_m0_select_at_0_copy(25) = '1' else coordinate_v1_h6(2);
-  dot_x4(0) <= coordinate_w2_h8(0) when row_m0_select_at_0_copy(25) = '1' else coordinate_w1_h8(0);
-  dot_x4(1) <= coordinate_w2_h8(1) when row_m0_select_at_0_copy(26) = '1' else coordinate_w1_h8(1);
-  dot_x4(2) <= coordinate_w2_h8(2) when row_m0_select_at_0_copy(26) = '1' else coordinate_w1_h8(2);
-  moment_norm_x(0)(0) <= moment_m2(0) when row_m0_select_at_0_copy(29) = '1' else moment_m0(0);
-  moment_norm_x(0)(1) <= moment_m2(1) when row_m0_select_at_0_copy(30) = '1' else moment_m0(1);
-  moment_norm_x(0)(2) <= moment_m2(2) when row_m0_select_at_0_copy(30) = '1' else moment_m0(2);
-  moment_norm_x(1)(0) <= moment_n(0) when row_m0_select_at_0_copy(30) = '1' else moment_m1(0);
-  moment_norm_x(1)(1) <= moment_n(1) when row_m0_select_at_0_copy(31) = '1' else moment_m1(1);
-  moment_norm_x(1)(2) <= moment_n(2) when row_m0_select_at_0_copy(31) = '1' else moment_m1(2);
+  dot_x1 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
+  dot_x2 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
+  dot_x3 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
+  dot_x4 <= coordinate_w2_h8 when row_m0_select_at_0 = '1' else coordinate_w1_h8;
+  moment_norm_x(0) <= moment_m2 when row_m0_select_at_0 = '1' else moment_m0;
+  moment_norm_x(1) <= moment_n when row_m0_select_at_0 = '1' else moment_m1;
 
   -- Clock 25
   clock_25 : process (clk)
@@ -1381,24 +1234,18 @@ begin
       moment_m1_d1 <= moment_m1;
       places_d2 <= places_d1;
       moment_norm_x_d1 <= moment_norm_x;
-      for k in 0 to 1 loop
-        places_d2_copy(k) <= places_d1;
-      end loop;
     end if;
   end process clock_25;
-  dot_m(0) <= moment_m1_h2(0) when row_m0_select_at_1_copy(2) = '1' else moment_n(0);
-  dot_m(1) <= moment_m1_h2(1) when row_m0_select_at_1_copy(3) = '1' else moment_n(1);
-  dot_m(2) <= moment_m1_h2(2) when row_m0_select_at_1_copy(3) = '1' else moment_n(2);
-  length_x(0) <= length_measure_h4(5) when row_m0_select_at_1_copy(4) = '1' else length_measure_h4(0);
-  length_x(1) <= length_measure_h2(6) when row_m0_select_at_1_copy(5) = '1' else length_measure_h4(1);
-  length_x(2) <= length_measure_h4(7) when row_m0_select_at_1_copy(5) = '1' else length_measure_h4(2);
-  length_x(3) <= length_measure_h4(8) when row_m0_select_at_1_copy(5) = '1' else length_measure_h4(3);
+  dot_m <= moment_m1_h2 when row_m0_select_at_1 = '1' else moment_n;
+  length_x(0) <= length_measure_h4(5) when row_m0_select_at_1 = '1' else length_measure_h4(0);
+  length_x(1) <= length_measure_h2(6) when row_m0_select_at_1 = '1' else length_measure_h4(1);
+  length_x(2) <= length_measure_h4(7) when row_m0_select_at_1 = '1' else length_measure_h4(2);
+  length_x(3) <= length_measure_h4(8) when row_m0_select_at_1 = '1' else length_measure_h4(3);
   length_times_g(0) <= resize(length_x(0), 22) when places_d2 = '1' else append(length_x(0), 1);
   length_times_g(1) <= resize(length_x(1), 22) when places_d2 = '1' else append(length_x(1), 1);
-  length_times_g(2) <= resize(length_x(2), 22) when places_d2_copy(0) = '1' else append(length_x(2), 1);
-  length_times_g(3) <= resize(length_x(3), 22) when places_d2_copy(0) = '1' else append(length_x(3), 1);
-  length_times_g(4) <= resize(length_measure_h2(4), 22) when places_d2_copy(1) = '1' else
-      append(length_measure_h2(4), 1);
+  length_times_g(2) <= resize(length_x(2), 22) when places_d2 = '1' else append(length_x(2), 1);
+  length_times_g(3) <= resize(length_x(3), 22) when places_d2 = '1' else append(length_x(3), 1);
+  length_times_g(4) <= resize(length_measure_h2(4), 22) when places_d2 = '1' else append(length_measure_h2(4), 1);
   moment_norm_lane_unit : for k in 0 to 1 generate
     unit : entity work.moment_norm
       port map (clk => clk, x => moment_norm_x_d1(k), norm => moment_norm_lane(k));
@@ -1416,9 +1263,6 @@ begin
       moment_n_d1 <= moment_n;
       length_times_g_d1 <= length_times_g;
       level_h4_d1 <= level_h4;
-      for k in 0 to 1 loop
-        level_h4_d1_copy(k) <= level_h4;
-      end loop;
     end if;
   end process clock_26;
   boxes_apart <= or_reduce(unsigned(boxes_apart_along));
@@ -1433,18 +1277,13 @@ begin
   dot_lane_unit_m(2) <= moment_m1_d1;
   dot_lane_unit_m(3) <= moment_m2_d1;
   dot_lane_unit_m(4) <= moment_n_d1;
-  length_first_unit_by(0) <= level_h4_d1;
-  length_first_unit_by(1) <= level_h4_d1;
-  length_first_unit_by(2) <= level_h4_d1_copy(0);
-  length_first_unit_by(3) <= level_h4_d1_copy(0);
-  length_first_unit_by(4) <= level_h4_d1_copy(1);
   dot_lane_unit : for k in 0 to 4 generate
     unit : entity work.dot_product
       port map (clk => clk, x => dot_lane_unit_x(k), m => dot_lane_unit_m(k), dot => dot_lane(k));
   end generate dot_lane_unit;
   length_first_unit : for k in 0 to 4 generate
     unit : entity work.length_first_order
-      port map (x => length_times_g_d1(k), by => length_first_unit_by(k), first_order => length_first(k));
+      port map (x => length_times_g_d1(k), by => level_h4_d1, first_order => length_first(k));
   end generate length_first_unit;
 
   -- Clock 27
@@ -1457,7 +1296,7 @@ begin
   moment_measure(0) <= resize(norm_of_moment(0), 21);
   moment_measure(1) <= resize(norm_of_moment(1), 21);
   moment_x_each : for k in 0 to 1 generate
-    moment_x(k) <= moment_measure(k + 2) when row_m0_select_at_1_copy(6) = '1' else moment_measure(k);
+    moment_x(k) <= moment_measure(k + 2) when row_m0_select_at_1 = '1' else moment_measure(k);
     face_of_vertex_negative_difference_each : for m in 0 to 2 generate
       face_of_vertex_negative_difference(k)(m) <= signed(resize(length_bound(k), 30)) -
           signed(resize(length_bound(m + 2), 30));
@@ -1776,9 +1615,6 @@ begin
         else
           row_m0_select_at_0 <= '1';
         end if;
-        for k in 0 to 31 loop
-          row_m0_select_at_0_copy(k) <= choose(phase, '0', '1');
-        end loop;
       end if;
       if busy_7_or_busy_19_or_busy_21_or_busy_25_or_busy_27 = '1' then
         if phase = '1' then
@@ -1786,9 +1622,6 @@ begin
         else
           row_m0_select_at_1 <= '0';
         end if;
-        for k in 0 to 8 loop
-          row_m0_select_at_1_copy(k) <= choose(phase, '1', '0');
-        end loop;
       end if;
       if busy_20 = '1' then
         if phase = '1' then
@@ -1805,688 +1638,163 @@ begin
   begin
     if rising_edge(clk) then
       if strobe(0) = '1' then
-        pose_t_inside_number_h1(0) <= choose(pose_bypass, to_signed(0, 32), pose_t(0));
-        pose_t_inside_number_h1(1) <= choose(pose_bypass, to_signed(0, 32), pose_t(1));
-      end if;
-      if strobe0_copy(0) = '1' then
-        pose_t_inside_number_h1(2) <= choose(pose_bypass, to_signed(0, 32), pose_t(2));
-        pose_m0_inside_number_h1(0) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(0));
-      end if;
-      if strobe0_copy(1) = '1' then
-        pose_m0_inside_number_h1(1) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(1));
-        pose_m0_inside_number_h1(2) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(2));
-      end if;
-      if strobe0_copy(2) = '1' then
-        pose_m1_inside_number_h1(0) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(0));
-        pose_m1_inside_number_h1(1) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(1));
-      end if;
-      if strobe0_copy(3) = '1' then
-        pose_m1_inside_number_h1(2) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(2));
-        pose_m2_inside_number_h1(0) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(0));
-      end if;
-      if strobe0_copy(4) = '1' then
-        pose_m2_inside_number_h1(1) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(1));
-        pose_m2_inside_number_h1(2) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(2));
-      end if;
-      if strobe0_copy(5) = '1' then
-        in_w1_inside_h2(0) <= in_w1_inside(0);
-        in_w1_inside_h2(1) <= in_w1_inside(1);
-        in_w1_inside_h4(0) <= in_w1_inside_h2(0);
-        in_w1_inside_h4(1) <= in_w1_inside_h2(1);
-        in_w1_inside_h6(0) <= in_w1_inside_h4(0);
-        in_w1_inside_h6(1) <= in_w1_inside_h4(1);
-      end if;
-      if strobe0_copy(6) = '1' then
-        in_w1_inside_h2(2) <= in_w1_inside(2);
-        in_w1_inside_h4(2) <= in_w1_inside_h2(2);
-        in_w1_inside_h6(2) <= in_w1_inside_h4(2);
-      end if;
-      if strobe0_copy(7) = '1' then
-        moved_h1(0) <= moved(0);
-        moved_h3(0) <= moved_h1(0);
-        moved_h5(0) <= moved_h3(0);
-      end if;
-      if strobe0_copy(10) = '1' then
-        moved_h1(1) <= moved(1);
-        moved_h3(1) <= moved_h1(1);
-        moved_h5(1) <= moved_h3(1);
-      end if;
-      if strobe0_copy(13) = '1' then
-        moved_h1(2) <= moved(2);
-        moved_h3(2) <= moved_h1(2);
-        moved_h5(2) <= moved_h3(2);
-      end if;
-      if strobe0_copy(8) = '1' then
-        in_w0_inside_h2(0) <= in_w0_inside(0);
-        in_w0_inside_h4(0) <= in_w0_inside_h2(0);
-        in_w0_inside_h6(0) <= in_w0_inside_h4(0);
+        for k in 0 to 2 loop
+          pose_t_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_t(k));
+          pose_m0_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(k));
+          pose_m1_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(k));
+          pose_m2_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(k));
+        end loop;
+        in_w1_inside_h2 <= in_w1_inside;
+        moved_h1 <= moved;
+        moved_h3 <= moved_h1;
+        moved_h5 <= moved_h3;
+        in_w0_inside_h2 <= in_w0_inside;
+        in_w0_inside_h4 <= in_w0_inside_h2;
+        in_w0_inside_h6 <= in_w0_inside_h4;
+        in_w1_inside_h4 <= in_w1_inside_h2;
+        in_w1_inside_h6 <= in_w1_inside_h4;
         pose_bypass_h7 <= pose_bypass_h6;
-        for k in 0 to 1 loop
-          pose_bypass_h7_copy(k) <= pose_bypass_h6;
-        end loop;
-      end if;
-      if strobe0_copy(11) = '1' then
-        in_w0_inside_h2(1) <= in_w0_inside(1);
-        in_w0_inside_h4(1) <= in_w0_inside_h2(1);
-        in_w0_inside_h6(1) <= in_w0_inside_h4(1);
-      end if;
-      if strobe0_copy(14) = '1' then
-        in_w0_inside_h2(2) <= in_w0_inside(2);
-        in_w0_inside_h4(2) <= in_w0_inside_h2(2);
-        in_w0_inside_h6(2) <= in_w0_inside_h4(2);
-      end if;
-      if strobe(1) = '1' then
-        pose_bypass_h2 <= pose_bypass;
-        pose_bypass_h4 <= pose_bypass_h2;
-        pose_bypass_h6 <= pose_bypass_h4;
-        difference(5) <= row(0);
-      end if;
-      if strobe0_copy(9) = '1' then
         difference(0) <= row(0);
-      end if;
-      if strobe0_copy(12) = '1' then
         difference(1) <= row(1);
-      end if;
-      if strobe0_copy(15) = '1' then
         difference(2) <= row(2);
-      end if;
-      if strobe0_copy(18) = '1' then
         difference(3) <= row(3);
-      end if;
-      if strobe0_copy(19) = '1' then
         difference(4) <= row(4);
-      end if;
-      if strobe1_copy(0) = '1' then
-        difference(6) <= row(1);
-      end if;
-      if strobe1_copy(1) = '1' then
-        difference(7) <= row(2);
-      end if;
-      if strobe1_copy(2) = '1' then
-        difference(8) <= row(3);
-      end if;
-      if strobe0_copy(16) = '1' then
-        in_w2_inside_h2(0) <= in_w2_inside(0);
-        in_w2_inside_h2(1) <= in_w2_inside(1);
-        in_w2_inside_h4(0) <= in_w2_inside_h2(0);
-        in_w2_inside_h4(1) <= in_w2_inside_h2(1);
-        in_w2_inside_h6(0) <= in_w2_inside_h4(0);
-        in_w2_inside_h6(1) <= in_w2_inside_h4(1);
-      end if;
-      if strobe0_copy(17) = '1' then
-        in_w2_inside_h2(2) <= in_w2_inside(2);
-        in_w2_inside_h4(2) <= in_w2_inside_h2(2);
-        in_w2_inside_h6(2) <= in_w2_inside_h4(2);
-      end if;
-      if strobe0_copy(20) = '1' then
-        difference_v1_h2(0) <= difference_v1(0);
-        difference_v1_h4(0) <= difference_v1_h2(0);
-        difference_v1_h6(0) <= difference_v1_h4(0);
-        difference_v1_h8(0) <= difference_v1_h6(0);
-        difference_v1_h10(0) <= difference_v1_h8(0);
-      end if;
-      if strobe0_copy(22) = '1' then
-        difference_v1_h2(1) <= difference_v1(1);
-        difference_v1_h4(1) <= difference_v1_h2(1);
-        difference_v1_h6(1) <= difference_v1_h4(1);
-        difference_v1_h8(1) <= difference_v1_h6(1);
-        difference_v1_h10(1) <= difference_v1_h8(1);
-      end if;
-      if strobe0_copy(24) = '1' then
-        difference_v1_h2(2) <= difference_v1(2);
-        difference_v1_h4(2) <= difference_v1_h2(2);
-        difference_v1_h6(2) <= difference_v1_h4(2);
-        difference_v1_h8(2) <= difference_v1_h6(2);
-        difference_v1_h10(2) <= difference_v1_h8(2);
-      end if;
-      if strobe1_copy(3) = '1' then
-        difference_v1_h9(0) <= difference_v1_h8(0);
-      end if;
-      if strobe1_copy(5) = '1' then
-        difference_v1_h9(1) <= difference_v1_h8(1);
-      end if;
-      if strobe1_copy(7) = '1' then
-        difference_v1_h9(2) <= difference_v1_h8(2);
-      end if;
-      if strobe0_copy(21) = '1' then
-        difference_v2_h2(0) <= difference_v2(0);
-        difference_v2_h4(0) <= difference_v2_h2(0);
-        difference_v2_h6(0) <= difference_v2_h4(0);
-        difference_v2_h8(0) <= difference_v2_h6(0);
-        difference_v2_h10(0) <= difference_v2_h8(0);
-      end if;
-      if strobe0_copy(23) = '1' then
-        difference_v2_h2(1) <= difference_v2(1);
-        difference_v2_h4(1) <= difference_v2_h2(1);
-        difference_v2_h6(1) <= difference_v2_h4(1);
-        difference_v2_h8(1) <= difference_v2_h6(1);
-        difference_v2_h10(1) <= difference_v2_h8(1);
-      end if;
-      if strobe0_copy(25) = '1' then
-        difference_v2_h2(2) <= difference_v2(2);
-        difference_v2_h4(2) <= difference_v2_h2(2);
-        difference_v2_h6(2) <= difference_v2_h4(2);
-        difference_v2_h8(2) <= difference_v2_h6(2);
+        in_w2_inside_h2 <= in_w2_inside;
+        in_w2_inside_h4 <= in_w2_inside_h2;
+        in_w2_inside_h6 <= in_w2_inside_h4;
+        difference_v1_h2 <= difference_v1;
+        difference_v1_h4 <= difference_v1_h2;
+        difference_v1_h6 <= difference_v1_h4;
+        difference_v1_h8 <= difference_v1_h6;
+        difference_v2_h2 <= difference_v2;
+        difference_v2_h4 <= difference_v2_h2;
+        difference_v2_h6 <= difference_v2_h4;
+        difference_v2_h8 <= difference_v2_h6;
+        difference_v1_h10 <= difference_v1_h8;
         shift_h1 <= shift;
-        difference_v2_h10(2) <= difference_v2_h8(2);
-        shift_h3 <= shift_h1;
-        shift_z1_h1_copy <= shift(2)(1);
-        for k in 0 to 1 loop
-          shift_z0_h1_copy(k) <= shift(2)(0);
-        end loop;
-        shift_y2_h1_copy <= shift(1)(2);
-        shift_y1_h1_copy <= shift(1)(1);
-        for k in 0 to 1 loop
-          shift_y0_h1_copy(k) <= shift(1)(0);
-        end loop;
-      end if;
-      if strobe1_copy(4) = '1' then
-        difference_v2_h9(0) <= difference_v2_h8(0);
-      end if;
-      if strobe1_copy(6) = '1' then
-        difference_v2_h9(1) <= difference_v2_h8(1);
-      end if;
-      if strobe1_copy(8) = '1' then
-        difference_v2_h9(2) <= difference_v2_h8(2);
-      end if;
-      for i in 0 to 2 loop
-        if strobe1_copy(i + 9) = '1' then
-          difference_w1_h2(i) <= difference_w1(i);
-        end if;
-        if strobe1_copy(i + 11) = '1' then
-          coordinate_cut(0)(i) <= lane_shifted(0)(i);
-        end if;
-        if strobe1_copy(i + 14) = '1' then
-          coordinate_cut(1)(i) <= lane_shifted(1)(i);
-        end if;
-        if strobe1_copy(i + 16) = '1' then
-          coordinate_cut(2)(i) <= lane_shifted(2)(i);
-        end if;
-      end loop;
-      if strobe0_copy(26) = '1' then
         coordinate_cut(3) <= lane_shifted(0);
-      end if;
-      if strobe0_copy(30) = '1' then
-        coordinate_cut(4)(0) <= lane_shifted(1)(0);
-        difference_w2_z_h4 <= difference_w2_h2(2);
-      end if;
-      if strobe0_copy(31) = '1' then
-        coordinate_cut(4)(1) <= lane_shifted(1)(1);
-        coordinate_cut(4)(2) <= lane_shifted(1)(2);
-      end if;
-      if strobe0_copy(27) = '1' then
-        difference_w2_h2(0) <= difference_w2(0);
-      end if;
-      if strobe1_copy(14) = '1' then
-        difference_w2_h2(1) <= difference_w2(1);
-      end if;
-      if strobe0_copy(29) = '1' then
-        difference_w2_h2(2) <= difference_w2(2);
-      end if;
-      if strobe0_copy(28) = '1' then
+        coordinate_cut(4) <= lane_shifted(1);
+        difference_v2_h10 <= difference_v2_h8;
         difference_w2_x_h4 <= difference_w2_h2(0);
-      end if;
-      for i in 0 to 2 loop
-        if strobe0_copy(i + 32) = '1' then
-          difference_w0_h2(i) <= difference_w0(i);
-        end if;
-      end loop;
-      if strobe1_copy(12) = '1' then
-        coordinate_cut0_h2(0) <= coordinate_cut(0)(0);
-        coordinate_cut0_h2(1) <= coordinate_cut(0)(1);
-      end if;
-      if strobe1_copy(13) = '1' then
-        coordinate_cut0_h2(2) <= coordinate_cut(0)(2);
-      end if;
-      if strobe1_copy(15) = '1' then
-        coordinate_cut1_h2(0) <= coordinate_cut(1)(0);
-        coordinate_cut1_h2(1) <= coordinate_cut(1)(1);
-      end if;
-      if strobe1_copy(16) = '1' then
-        coordinate_cut1_h2(2) <= coordinate_cut(1)(2);
-      end if;
-      if strobe1_copy(17) = '1' then
-        coordinate_cut2_h2(0) <= coordinate_cut(2)(0);
-        coordinate_cut2_h2(1) <= coordinate_cut(2)(1);
-      end if;
-      if strobe1_copy(18) = '1' then
-        coordinate_cut2_h2(2) <= coordinate_cut(2)(2);
-        carried_h1 <= carried;
-        coordinate_cut3_h1(0) <= coordinate_cut(3)(0);
-      end if;
-      if strobe0_copy(34) = '1' then
-        coordinate_cut0_h3(0) <= coordinate_cut0_h2(0);
-      end if;
-      if strobe0_copy(35) = '1' then
-        coordinate_cut0_h3(1) <= coordinate_cut0_h2(1);
-        coordinate_cut0_h3(2) <= coordinate_cut0_h2(2);
-        coordinate_cut1_h3(0) <= coordinate_cut1_h2(0);
+        difference_w2_z_h4 <= difference_w2_h2(2);
+        difference_w0_h2 <= difference_w0;
+        coordinate_cut0_h3 <= coordinate_cut0_h2;
+        coordinate_cut1_h3 <= coordinate_cut1_h2;
         carried_h2 <= carried_h1;
-      end if;
-      if strobe0_copy(36) = '1' then
-        coordinate_cut1_h3(1) <= coordinate_cut1_h2(1);
-        coordinate_cut1_h3(2) <= coordinate_cut1_h2(2);
+        shift_h3 <= shift_h1;
         level_less_resized_first_h1 <= signed(resize(axis_level0_resized_less_choice, 4));
         level_less_resized_second_h1 <= signed(resize(axis_level(2), 4));
         level_less_h2 <= less(level_less_resized_first_h1, level_less_resized_second_h1);
         level_less_h4 <= level_less_h2;
         axis_level0_resized_less_choice_h5 <= axis_level0_resized_less_choice_h4;
         axis_level2_h5 <= axis_level2_h4;
-      end if;
-      if strobe1_copy(19) = '1' then
-        coordinate_cut3_h1(1) <= coordinate_cut(3)(1);
-        coordinate_cut3_h1(2) <= coordinate_cut(3)(2);
-        coordinate_cut4_h1(0) <= coordinate_cut(4)(0);
-      end if;
-      if strobe1_copy(20) = '1' then
-        coordinate_cut4_h1(1) <= coordinate_cut(4)(1);
-        coordinate_cut4_h1(2) <= coordinate_cut(4)(2);
-        taken_x_h1 <= taken_x;
-        taken_y_h1 <= taken_y;
-        taken_z_h1 <= taken_z;
-        axis_level0_resized_less_choice_h2 <= axis_level0_resized_less_choice;
-        axis_level0_resized_less_choice_h4 <= axis_level0_resized_less_choice_h2;
-        axis_level2_h2 <= axis_level(2);
-      end if;
-      if strobe1_copy(21) = '1' then
-        axis_level2_h4 <= axis_level2_h2;
-        moment_cut(6) <= moment_lane_cut(0);
-        moment_cut(7) <= moment_lane_cut(1);
-        moment_cut(8) <= moment_lane_cut(2);
-      end if;
-      if strobe0_copy(37) = '1' then
         moment_cut(0) <= moment_lane_cut(0);
         moment_cut(1) <= moment_lane_cut(1);
         moment_cut(2) <= moment_lane_cut(2);
-      end if;
-      if strobe0_copy(38) = '1' then
         moment_cut(3) <= moment_lane_cut(3);
         moment_cut(4) <= moment_lane_cut(4);
         moment_cut(5) <= moment_lane_cut(5);
         places_captured <= too_great_0_so_far;
-      end if;
-      if strobe1_copy(22) = '1' then
-        moment_cut(9) <= moment_lane_cut(3);
-        moment_cut(10) <= moment_lane_cut(4);
-        moment_cut(11) <= moment_lane_cut(5);
-      end if;
-      if strobe1_copy(23) = '1' then
-        moment_m0 <= moment_lane(0);
-      end if;
-      if strobe0_copy(39) = '1' then
         moment_m2 <= moment_lane(0);
-      end if;
-      if strobe1_copy(24) = '1' then
-        moment_m1(0) <= moment_lane(1)(0);
-        moment_m1(1) <= moment_lane(1)(1);
-        moment_m1_h2(0) <= moment_m1(0);
-      end if;
-      if strobe1_copy(25) = '1' then
-        moment_m1(2) <= moment_lane(1)(2);
-        moment_m1_h2(1) <= moment_m1(1);
-        moment_m1_h2(2) <= moment_m1(2);
-      end if;
-      if strobe0_copy(40) = '1' then
         moment_n <= moment_lane(1);
-      end if;
-      if strobe1_copy(26) = '1' then
-        coordinate_w0_h2 <= coordinate_w0;
-        coordinate_w0_h4 <= coordinate_w0_h2;
-        coordinate_w0_h6 <= coordinate_w0_h4;
-        coordinate_w0_h8 <= coordinate_w0_h6;
-      end if;
-      if strobe0_copy(41) = '1' then
         determinant_plane_a0 <= dot_lane(0);
-      end if;
-      if strobe1_copy(27) = '1' then
-        determinant_plane_b0 <= dot_lane(0);
-      end if;
-      for i in 0 to 2 loop
-        if strobe0_copy(i + 41) = '1' then
-          coordinate_v1_h2(i) <= coordinate_v1(i);
-          coordinate_v1_h4(i) <= coordinate_v1_h2(i);
-          coordinate_v1_h6(i) <= coordinate_v1_h4(i);
-        end if;
-      end loop;
-      if strobe0_copy(42) = '1' then
-        coordinate_v2_h2(0) <= coordinate_v2(0);
-        coordinate_v2_h2(1) <= coordinate_v2(1);
-        coordinate_v2_h4(0) <= coordinate_v2_h2(0);
-        coordinate_v2_h4(1) <= coordinate_v2_h2(1);
-        coordinate_v2_h6(0) <= coordinate_v2_h4(0);
-        coordinate_v2_h6(1) <= coordinate_v2_h4(1);
-        coordinate_v2_h8(0) <= coordinate_v2_h6(0);
-        coordinate_v2_h8(1) <= coordinate_v2_h6(1);
-      end if;
-      if strobe0_copy(43) = '1' then
-        coordinate_v2_h2(2) <= coordinate_v2(2);
-        coordinate_v2_h4(2) <= coordinate_v2_h2(2);
-        coordinate_v2_h6(2) <= coordinate_v2_h4(2);
-        coordinate_v2_h8(2) <= coordinate_v2_h6(2);
-      end if;
-      if strobe1_copy(28) = '1' then
-        dot_d1(0) <= dot_lane(1);
-      end if;
-      if strobe1_copy(30) = '1' then
-        dot_d1(1) <= dot_lane(2);
-      end if;
-      if strobe0_copy(46) = '1' then
+        coordinate_v1_h2 <= coordinate_v1;
+        coordinate_v1_h4 <= coordinate_v1_h2;
+        coordinate_v1_h6 <= coordinate_v1_h4;
+        coordinate_v2_h2 <= coordinate_v2;
+        coordinate_v2_h4 <= coordinate_v2_h2;
+        coordinate_v2_h6 <= coordinate_v2_h4;
+        coordinate_v2_h8 <= coordinate_v2_h6;
         dot_d1(2) <= dot_lane(3);
-      end if;
-      if strobe0_copy(44) = '1' then
         determinant_side20 <= dot_lane(1);
-      end if;
-      if strobe0_copy(45) = '1' then
         determinant_side21 <= dot_lane(2);
-      end if;
-      if strobe1_copy(32) = '1' then
-        determinant_side22 <= dot_lane(3);
-      end if;
-      for i in 0 to 2 loop
-        if strobe1_copy(i + 32) = '1' then
-          coordinate_w1_h2(i) <= coordinate_w1(i);
-          coordinate_w1_h4(i) <= coordinate_w1_h2(i);
-          coordinate_w1_h6(i) <= coordinate_w1_h4(i);
-          coordinate_w1_h8(i) <= coordinate_w1_h6(i);
-        end if;
-      end loop;
-      if strobe1_copy(33) = '1' then
-        coordinate_w2_h2(0) <= coordinate_w2(0);
-        coordinate_w2_h2(1) <= coordinate_w2(1);
-        coordinate_w2_h4(0) <= coordinate_w2_h2(0);
-        coordinate_w2_h4(1) <= coordinate_w2_h2(1);
-        coordinate_w2_h6(0) <= coordinate_w2_h4(0);
-        coordinate_w2_h6(1) <= coordinate_w2_h4(1);
-        coordinate_w2_h8(0) <= coordinate_w2_h6(0);
-        coordinate_w2_h8(1) <= coordinate_w2_h6(1);
-      end if;
-      if strobe1_copy(34) = '1' then
-        coordinate_w2_h2(2) <= coordinate_w2(2);
-        coordinate_w2_h4(2) <= coordinate_w2_h2(2);
-        coordinate_w2_h6(2) <= coordinate_w2_h4(2);
-        coordinate_w2_h8(2) <= coordinate_w2_h6(2);
-      end if;
-      if strobe0_copy(47) = '1' then
         determinant_plane_a1 <= dot_lane(4);
-      end if;
-      if strobe1_copy(35) = '1' then
-        determinant_plane_a2 <= dot_lane(4);
-      end if;
-      if strobe1_copy(29) = '1' then
-        dot_d1_0_h2 <= dot_d1(0);
-      end if;
-      if strobe1_copy(31) = '1' then
-        dot_d1_1_h2 <= dot_d1(1);
-      end if;
-      for i in 0 to 2 loop
-        if strobe1_copy(i + 35) = '1' then
-          coordinate_v2_h1(i) <= coordinate_v2(i);
-        end if;
-      end loop;
-      if strobe1_copy(36) = '1' then
-        coordinate_v1_h1(0) <= coordinate_v1(0);
-        coordinate_v1_h1(1) <= coordinate_v1(1);
-      end if;
-      if strobe1_copy(37) = '1' then
-        coordinate_v1_h1(2) <= coordinate_v1(2);
-        norm_x0_resized_third_h2(0) <= resize(coordinate_w2(0), 19);
-      end if;
-      for i in 0 to 2 loop
-        if strobe0_copy(i + 47) = '1' then
-          coordinate_w1_h3(i) <= coordinate_w1_h2(i);
-        end if;
-      end loop;
-      if strobe0_copy(48) = '1' then
-        coordinate_w0_h3(0) <= coordinate_w0_h2(0);
-        coordinate_w0_h3(1) <= coordinate_w0_h2(1);
-      end if;
-      if strobe0_copy(49) = '1' then
-        coordinate_w0_h3(2) <= coordinate_w0_h2(2);
-        coordinate_w2_h3(0) <= coordinate_w2_h2(0);
-      end if;
-      if strobe0_copy(50) = '1' then
-        coordinate_w2_h3(1) <= coordinate_w2_h2(1);
-        coordinate_w2_h3(2) <= coordinate_w2_h2(2);
+        coordinate_w1_h3 <= coordinate_w1_h2;
+        coordinate_w0_h3 <= coordinate_w0_h2;
+        coordinate_w2_h3 <= coordinate_w2_h2;
         length_measure(0) <= norm_lane(0);
-        length_measure_h2(0) <= length_measure(0);
-        length_measure_h4(0) <= length_measure_h2(0);
-        length_measure0_h6 <= length_measure_h4(0);
-      end if;
-      if strobe1_copy(38) = '1' then
-        norm_x0_resized_third_h2(1) <= resize(coordinate_w2(1), 19);
-        norm_x0_resized_third_h2(2) <= resize(coordinate_w2(2), 19);
-        length_measure(4) <= norm_lane(0);
-        length_measure_h2(4) <= length_measure(4);
-        length_measure_h4(4) <= length_measure_h2(4);
-      end if;
-      if strobe0_copy(51) = '1' then
         length_measure(1) <= norm_lane(1);
         length_measure(2) <= norm_lane(3);
-        length_measure(6) <= norm_lane(2);
-        length_measure_h2(1) <= length_measure(1);
-        length_measure_h2(2) <= length_measure(2);
-        length_measure_h2(6) <= length_measure(6);
-        length_measure_h4(1) <= length_measure_h2(1);
-        length_measure_h4(2) <= length_measure_h2(2);
-        length_measure_h4(6) <= length_measure_h2(6);
-        length_measure1_h6 <= length_measure_h4(1);
-        length_measure2_h6 <= length_measure_h4(2);
-      end if;
-      if strobe0_copy(52) = '1' then
         length_measure(3) <= norm_lane(4);
+        length_measure(6) <= norm_lane(2);
         rest_aligned_second_h2 <= append(rest_of_level_aligned, 1);
         rest_of_level_aligned_h2 <= rest_of_level_aligned;
+        length_measure_h2(0) <= length_measure(0);
+        length_measure_h2(1) <= length_measure(1);
+        length_measure_h2(2) <= length_measure(2);
         length_measure_h2(3) <= length_measure(3);
+        length_measure_h2(6) <= length_measure(6);
+        length_measure_h4(0) <= length_measure_h2(0);
+        length_measure_h4(1) <= length_measure_h2(1);
+        length_measure_h4(2) <= length_measure_h2(2);
         length_measure_h4(3) <= length_measure_h2(3);
+        length_measure_h4(6) <= length_measure_h2(6);
+        length_measure0_h6 <= length_measure_h4(0);
+        length_measure1_h6 <= length_measure_h4(1);
+        length_measure2_h6 <= length_measure_h4(2);
         length_measure3_h6 <= length_measure_h4(3);
-      end if;
-      if strobe1_copy(39) = '1' then
-        length_measure(5) <= norm_lane(1);
-        length_measure(8) <= norm_lane(2);
-        norm_x3_resized_h2(0) <= resize(coordinate_w0(0), 19);
-        length_measure_h2(5) <= length_measure(5);
-        length_measure_h2(8) <= length_measure(8);
-        length_measure_h4(5) <= length_measure_h2(5);
-        length_measure_h4(8) <= length_measure_h2(8);
-      end if;
-      if strobe1_copy(40) = '1' then
-        length_measure(7) <= norm_lane(3);
-        norm_x3_resized_h2(1) <= resize(coordinate_w0(1), 19);
-        norm_x3_resized_h2(2) <= resize(coordinate_w0(2), 19);
-        length_measure_h2(7) <= length_measure(7);
-        length_measure_h4(7) <= length_measure_h2(7);
-      end if;
-      if strobe1_copy(41) = '1' then
-        for i in 0 to 2 loop
-          norm_x4_resized_h2(i) <= resize(coordinate_w1(i), 19);
-        end loop;
-      end if;
-      if strobe0_copy(53) = '1' then
         length_measure8_h5 <= length_measure_h4(8);
         length_measure4_h5 <= length_measure_h4(4);
         length_measure5_h5 <= length_measure_h4(5);
-      end if;
-      if strobe0_copy(54) = '1' then
         length_measure7_h5 <= length_measure_h4(7);
         rest_h2 <= rest;
         rest_h4 <= rest_h2;
         level_h2 <= level;
         level_h4 <= level_h2;
-      end if;
-      if strobe0_copy(55) = '1' then
         length_bound(0) <= length_first(0);
         length_bound(1) <= length_first(1);
-      end if;
-      if strobe0_copy(56) = '1' then
         length_bound(2) <= length_first(2);
         length_bound(3) <= length_first(3);
-      end if;
-      if strobe0_copy(57) = '1' then
         length_bound(4) <= length_first(4);
         norm_of_moment(0) <= moment_norm_lane(0);
-      end if;
-      if strobe1_copy(42) = '1' then
-        length_bound(5) <= length_first(0);
-        length_bound(6) <= length_first(1);
-      end if;
-      if strobe1_copy(43) = '1' then
-        length_bound(7) <= length_first(2);
-        length_bound(8) <= length_first(3);
-      end if;
-      if strobe0_copy(58) = '1' then
         norm_of_moment(1) <= moment_norm_lane(1);
         moment_bound(0) <= moment_first(0);
-      end if;
-      if strobe1_copy(44) = '1' then
-        norm_of_moment(2) <= moment_norm_lane(0);
-        norm_of_moment(3) <= moment_norm_lane(1);
-      end if;
-      if strobe0_copy(59) = '1' then
         moment_bound(1) <= moment_first(1);
         bound_corner_aligned_h1 <= append(bound_all_m, 1);
-      end if;
-      if strobe1_copy(45) = '1' then
-        moment_bound(2) <= moment_first(0);
-        moment_bound(3) <= moment_first(1);
-      end if;
-      if strobe1_copy(46) = '1' then
-        length_measure0_plane_a0_h2 <= length_measure0_plane_a0;
-      end if;
-      for k in 0 to 1 loop
-        if strobe1_copy(k + 46) = '1' then
-          face_of_vertex_h1(k)(0) <= face_of_vertex(k)(0);
-        end if;
-        if strobe1_copy(k + 48) = '1' then
-          face_of_vertex_h1(k)(1) <= face_of_vertex(k)(1);
-        end if;
-        if strobe1_copy(k + 50) = '1' then
-          face_of_vertex_h1(k)(2) <= face_of_vertex(k)(2);
-        end if;
-      end loop;
-      if strobe1_copy(47) = '1' then
-        bound_plane_a0_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(1)(0), 30);
-      end if;
-      if strobe1_copy(48) = '1' then
-        bound_plane_a1_sum_first_result_h2 <= bound_plane_a1_sum_first_result;
-      end if;
-      if strobe1_copy(49) = '1' then
-        bound_plane_a1_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(1)(1), 30);
-      end if;
-      if strobe1_copy(50) = '1' then
-        bound_plane_a2_sum_first_result_h2 <= bound_plane_a2_sum_first_result;
-      end if;
-      if strobe1_copy(51) = '1' then
-        bound_plane_a2_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(1)(2), 30);
-      end if;
-      if strobe1_copy(52) = '1' then
-        bound_corner_sum_h2 <= resize(resize(length_bound(5), 30) + resize(length_bound(6), 30), 31) +
-            resize(length_bound(7), 31);
-        bound_plane_b1_result_h2 <= bound_plane_b1_result;
-      end if;
-      if strobe0_copy(60) = '1' then
         bound_corner_sum_h3 <= bound_corner_sum_h2;
         bound_all_m_h1 <= bound_all_m;
-      end if;
-      if strobe0_copy(61) = '1' then
         length_measure0_plane_a0_h3 <= length_measure0_plane_a0_h2;
         bound_plane_b1_result_h3 <= bound_plane_b1_result_h2;
-      end if;
-      if strobe1_copy(53) = '1' then
-        bound_plane_b2_result_h2 <= bound_plane_b2_result;
-        bound_of_a_aligned_second_h2 <= append(length_bound(8), 1);
-      end if;
-      if strobe0_copy(62) = '1' then
         bound_plane_b2_result_h3 <= bound_plane_b2_result_h2;
         bound_side10_sum_h1 <= resize(resize(append(moment_bound(0), 1), 31) +
             resize(bound_side10_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
-      end if;
-      if strobe1_copy(54) = '1' then
-        length_measure0_ends0_h2 <= length_measure0_ends0;
-        bound_side00_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(0)(1), 30);
-      end if;
-      if strobe1_copy(55) = '1' then
-        bound_side01_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(0)(2), 30);
-        bound_side02_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(0)(0), 30);
-      end if;
-      if strobe1_copy(56) = '1' then
-        bound_side10_sum_sum_aligned_second_h2 <= append(length_bound(5), 1);
-        bound_side10_result_h2 <= bound_side10_result;
-      end if;
-      if strobe0_copy(63) = '1' then
         bound_side10_result_h3 <= bound_side10_result_h2;
         bound_side11_sum_h1 <= resize(resize(append(moment_bound(1), 1), 31) +
             resize(bound_side11_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
-      end if;
-      if strobe1_copy(57) = '1' then
-        bound_side11_sum_sum_aligned_second_h2 <= append(length_bound(6), 1);
-        bound_side11_result_h2 <= bound_side11_result;
-      end if;
-      if strobe0_copy(64) = '1' then
         bound_side11_result_h3 <= bound_side11_result_h2;
         bound_side12_sum_h1 <= resize(resize(append(moment_bound(2), 1), 31) +
             resize(bound_side12_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
-      end if;
-      if strobe1_copy(58) = '1' then
-        bound_side12_sum_sum_aligned_second_h2 <= append(length_bound(7), 1);
-        bound_side12_result_h2 <= bound_side12_result;
-      end if;
-      if strobe0_copy(65) = '1' then
         bound_side12_result_h3 <= bound_side12_result_h2;
-      end if;
-      if strobe1_copy(59) = '1' then
-        length_measure0_ends1_h2 <= length_measure0_ends1;
-        bound_side20_sum_second_h2 <= resize(face_of_vertex_h1(1)(0), 30) + resize(face_of_vertex_h1(1)(1), 30);
-      end if;
-      if strobe1_copy(60) = '1' then
-        bound_side21_sum_second_h2 <= resize(face_of_vertex_h1(1)(1), 30) + resize(face_of_vertex_h1(1)(2), 30);
-        bound_side22_sum_second_h2 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex_h1(1)(0), 30);
-      end if;
-      if strobe0_copy(66) = '1' then
         compared0_h2 <= compared(0);
-      end if;
-      if strobe0_copy(68) = '1' then
         compared1_h2 <= compared(1);
-      end if;
-      if strobe1_copy(61) = '1' then
-        compared3_h2 <= compared(3);
-      end if;
-      if strobe0_copy(88) = '1' then
         compared12_h2 <= compared(12);
-      end if;
-      if strobe0_copy(90) = '1' then
         compared13_h2 <= compared(13);
-      end if;
-      if strobe0_copy(67) = '1' then
         compared_bound0_h1 <= compared_bound(0);
-      end if;
-      if strobe0_copy(69) = '1' then
         compared_bound1_h1 <= compared_bound(1);
-      end if;
-      if strobe0_copy(71) = '1' then
         compared_bound2_h1 <= compared_bound(2);
-      end if;
-      if strobe1_copy(62) = '1' then
-        compared_bound3_h1 <= compared_bound(3);
-        compared_bound8_h2 <= compared_bound(8);
-        boxes_apart_along(2) <= boxes_lane(0);
-        compared3_sign0_h2 <= compared3_sign0;
-      end if;
-      if strobe0_copy(77) = '1' then
         compared_bound6_h1 <= compared_bound(6);
-        compared_bound6_h3 <= compared_bound6_h1;
-      end if;
-      if strobe0_copy(79) = '1' then
         compared_bound7_h1 <= compared_bound(7);
-        compared_bound7_h3 <= compared_bound7_h1;
-      end if;
-      if strobe0_copy(89) = '1' then
         compared_bound12_h1 <= compared_bound(12);
-      end if;
-      if strobe0_copy(91) = '1' then
         compared_bound13_h1 <= compared_bound(13);
-      end if;
-      if strobe0_copy(93) = '1' then
         compared_bound14_h1 <= compared_bound(14);
+        compared2_h1 <= compared(2);
+        compared4_h1 <= compared(4);
+        compared5_h1 <= compared(5);
+        compared6_h1 <= compared(6);
+        compared7_h1 <= compared(7);
+        compared8_h1 <= compared(8);
+        compared9_h1 <= compared(9);
+        compared10_h1 <= compared(10);
+        compared11_h1 <= compared(11);
+        compared14_h1 <= compared(14);
+        compared_bound4_h2 <= compared_bound(4);
+        compared_bound5_h2 <= compared_bound(5);
+        compared_bound9_h2 <= compared_bound(9);
+        compared_bound10_h2 <= compared_bound(10);
+        compared_bound11_h2 <= compared_bound(11);
+        compared_bound6_h3 <= compared_bound6_h1;
+        compared_bound7_h3 <= compared_bound7_h1;
+        compared_bound8_h3 <= compared_bound8_h2;
         boxes_apart_along(0) <= boxes_lane(0);
         boxes_apart_along(1) <= boxes_lane(1);
         compared12_sign0_h2 <= compared12_sign0;
@@ -2645,117 +1953,16 @@ begin
         separated0_h1 <= separated_i(0);
         separated2_h1 <= separated_i(2);
         separated3_h1 <= separated_i(3);
-        separated0_h3 <= separated0_h1;
-        separated1_h3 <= separated1_h2;
-        separated0_h5 <= separated0_h3;
-        separated0_h7 <= separated0_h5;
-        separated0_h9 <= separated0_h7;
-      end if;
-      if strobe0_copy(70) = '1' then
-        compared2_h1 <= compared(2);
-      end if;
-      if strobe0_copy(72) = '1' then
-        compared4_h1 <= compared(4);
-      end if;
-      if strobe0_copy(74) = '1' then
-        compared5_h1 <= compared(5);
-      end if;
-      if strobe0_copy(76) = '1' then
-        compared6_h1 <= compared(6);
-      end if;
-      if strobe0_copy(78) = '1' then
-        compared7_h1 <= compared(7);
-      end if;
-      if strobe0_copy(80) = '1' then
-        compared8_h1 <= compared(8);
-      end if;
-      if strobe0_copy(82) = '1' then
-        compared9_h1 <= compared(9);
-      end if;
-      if strobe0_copy(84) = '1' then
-        compared10_h1 <= compared(10);
-      end if;
-      if strobe0_copy(86) = '1' then
-        compared11_h1 <= compared(11);
-      end if;
-      if strobe0_copy(92) = '1' then
-        compared14_h1 <= compared(14);
-      end if;
-      if strobe0_copy(73) = '1' then
-        compared_bound4_h2 <= compared_bound(4);
-      end if;
-      if strobe0_copy(75) = '1' then
-        compared_bound5_h2 <= compared_bound(5);
-      end if;
-      if strobe0_copy(83) = '1' then
-        compared_bound9_h2 <= compared_bound(9);
-      end if;
-      if strobe0_copy(85) = '1' then
-        compared_bound10_h2 <= compared_bound(10);
-      end if;
-      if strobe0_copy(87) = '1' then
-        compared_bound11_h2 <= compared_bound(11);
-      end if;
-      if strobe0_copy(81) = '1' then
-        compared_bound8_h3 <= compared_bound8_h2;
-      end if;
-      if strobe1_copy(63) = '1' then
-        compared3_sign1_h2 <= compared3_sign1;
-        compared4_sign0_h1 <= compared4_sign0;
-        compared4_sign1_h1 <= compared4_sign1;
-        compared6_sign0_h1 <= compared6_sign0;
-        compared6_sign1_h1 <= compared6_sign1;
-        compared7_sign0_h1 <= compared7_sign0;
-        compared7_sign1_h1 <= compared7_sign1;
-        compared8_sign0_h1 <= compared8_sign0;
-        compared8_sign1_h1 <= compared8_sign1;
-        compared5_sign0_h1 <= compared5_sign0;
-        compared5_sign1_h1 <= compared5_sign1;
-        compared9_sign0_h1 <= compared9_sign0;
-        compared9_sign1_h1 <= compared9_sign1;
-        compared10_sign0_h1 <= compared10_sign0;
-        compared10_sign1_h1 <= compared10_sign1;
-        compared11_sign0_h1 <= compared11_sign0;
-        compared11_sign1_h1 <= compared11_sign1;
-        compared12_sign0_h3 <= compared12_sign0_h2;
-        compared12_sign1_h3 <= compared12_sign1_h2;
-        compared13_sign0_h3 <= compared13_sign0_h2;
-        compared13_sign1_h3 <= compared13_sign1_h2;
-        compared14_sign0_h3 <= compared14_sign0_h2;
-        compared14_sign1_h3 <= compared14_sign1_h2;
-        compared0_sign0_h3 <= compared0_sign0_h2;
-        compared0_sign1_h3 <= compared0_sign1_h2;
-        compared1_sign0_h3 <= compared1_sign0_h2;
-        compared1_sign1_h3 <= compared1_sign1_h2;
-        compared2_sign0_h3 <= compared2_sign0_h2;
-        compared2_sign1_h3 <= compared2_sign1_h2;
-        separated0_not_h24 <= separated_not_h23(0);
-        separated1_or_h1 <= (compared0_sign0 and compared1_sign0 and compared2_sign0) or
-            (compared0_sign1 and compared1_sign1 and compared2_sign1);
-        separated2_or_h1 <= (compared3_sign0 and compared4_sign0 and compared5_sign0) or
-            (compared3_sign1 and compared4_sign1 and compared5_sign1);
-        separated1_not_h30 <= separated1_not_h29;
-        separated2_not_h32 <= separated2_not_h31;
-        separated3_not_h32 <= separated3_not_h31;
-        separated4_not_h32 <= separated4_not_h31;
-        separated5_not_h32 <= separated5_not_h31;
-        separated6_not_h32 <= separated6_not_h31;
-        separated7_not_h32 <= separated7_not_h31;
-        separated8_not_h32 <= separated8_not_h31;
-        overlapping3_not_h32 <= overlapping3_not_h31;
-        overlapping4_not_h32 <= overlapping4_not_h31;
-        overlapping5_not_h32 <= overlapping5_not_h31;
-        overlapping6_not_h32 <= overlapping6_not_h31;
-        overlapping7_not_h32 <= overlapping7_not_h31;
-        overlapping8_not_h32 <= overlapping8_not_h31;
-        separated1_h2 <= separated_i(1);
-      end if;
-      if strobe0_copy(94) = '1' then
         separated4_h1 <= separated_i(4);
         separated5_h1 <= separated_i(5);
         separated6_h1 <= separated_i(6);
         separated7_h1 <= separated_i(7);
         separated8_h1 <= separated_i(8);
+        separated0_h3 <= separated0_h1;
+        separated1_h3 <= separated1_h2;
+        separated0_h5 <= separated0_h3;
+        separated0_h7 <= separated0_h5;
+        separated0_h9 <= separated0_h7;
         overlapping_h1 <= overlapping_i;
         overlapping0_h3 <= overlapping_h1(0);
         overlapping1_h3 <= overlapping_h1(1);
@@ -2821,9 +2028,178 @@ begin
         outside_h27 <= outside_h25;
         outside_h29 <= outside_h27;
         outside_h31 <= outside_h29;
-        shift_z2_h1_copy <= shift(2)(2);
         outside <= outside_h31;
       end if;
+      if strobe(1) = '1' then
+        pose_bypass_h2 <= pose_bypass;
+        pose_bypass_h4 <= pose_bypass_h2;
+        pose_bypass_h6 <= pose_bypass_h4;
+        difference(5) <= row(0);
+        difference(6) <= row(1);
+        difference(7) <= row(2);
+        difference(8) <= row(3);
+        difference_v1_h9 <= difference_v1_h8;
+        difference_v2_h9 <= difference_v2_h8;
+        difference_w1_h2 <= difference_w1;
+        coordinate_cut(0) <= lane_shifted(0);
+        coordinate_cut(1) <= lane_shifted(1);
+        coordinate_cut(2) <= lane_shifted(2);
+        coordinate_cut0_h2 <= coordinate_cut(0);
+        coordinate_cut1_h2 <= coordinate_cut(1);
+        coordinate_cut2_h2 <= coordinate_cut(2);
+        carried_h1 <= carried;
+        coordinate_cut3_h1 <= coordinate_cut(3);
+        coordinate_cut4_h1 <= coordinate_cut(4);
+        taken_x_h1 <= taken_x;
+        taken_y_h1 <= taken_y;
+        taken_z_h1 <= taken_z;
+        axis_level0_resized_less_choice_h2 <= axis_level0_resized_less_choice;
+        axis_level0_resized_less_choice_h4 <= axis_level0_resized_less_choice_h2;
+        axis_level2_h2 <= axis_level(2);
+        axis_level2_h4 <= axis_level2_h2;
+        moment_cut(6) <= moment_lane_cut(0);
+        moment_cut(7) <= moment_lane_cut(1);
+        moment_cut(8) <= moment_lane_cut(2);
+        moment_cut(9) <= moment_lane_cut(3);
+        moment_cut(10) <= moment_lane_cut(4);
+        moment_cut(11) <= moment_lane_cut(5);
+        moment_m0 <= moment_lane(0);
+        moment_m1 <= moment_lane(1);
+        coordinate_w0_h2 <= coordinate_w0;
+        coordinate_w0_h4 <= coordinate_w0_h2;
+        coordinate_w0_h6 <= coordinate_w0_h4;
+        coordinate_w0_h8 <= coordinate_w0_h6;
+        moment_m1_h2 <= moment_m1;
+        determinant_plane_b0 <= dot_lane(0);
+        dot_d1(0) <= dot_lane(1);
+        dot_d1(1) <= dot_lane(2);
+        determinant_side22 <= dot_lane(3);
+        coordinate_w1_h2 <= coordinate_w1;
+        coordinate_w1_h4 <= coordinate_w1_h2;
+        coordinate_w1_h6 <= coordinate_w1_h4;
+        coordinate_w1_h8 <= coordinate_w1_h6;
+        coordinate_w2_h2 <= coordinate_w2;
+        coordinate_w2_h4 <= coordinate_w2_h2;
+        coordinate_w2_h6 <= coordinate_w2_h4;
+        coordinate_w2_h8 <= coordinate_w2_h6;
+        determinant_plane_a2 <= dot_lane(4);
+        dot_d1_0_h2 <= dot_d1(0);
+        dot_d1_1_h2 <= dot_d1(1);
+        coordinate_v2_h1 <= coordinate_v2;
+        coordinate_v1_h1 <= coordinate_v1;
+        for i in 0 to 2 loop
+          norm_x0_resized_third_h2(i) <= resize(coordinate_w2(i), 19);
+        end loop;
+        length_measure(4) <= norm_lane(0);
+        length_measure(5) <= norm_lane(1);
+        length_measure(7) <= norm_lane(3);
+        length_measure(8) <= norm_lane(2);
+        for i in 0 to 2 loop
+          norm_x3_resized_h2(i) <= resize(coordinate_w0(i), 19);
+          norm_x4_resized_h2(i) <= resize(coordinate_w1(i), 19);
+        end loop;
+        length_measure_h2(4) <= length_measure(4);
+        length_measure_h2(5) <= length_measure(5);
+        length_measure_h2(7) <= length_measure(7);
+        length_measure_h2(8) <= length_measure(8);
+        length_measure_h4(4) <= length_measure_h2(4);
+        length_measure_h4(5) <= length_measure_h2(5);
+        length_measure_h4(7) <= length_measure_h2(7);
+        length_measure_h4(8) <= length_measure_h2(8);
+        length_bound(5) <= length_first(0);
+        length_bound(6) <= length_first(1);
+        length_bound(7) <= length_first(2);
+        length_bound(8) <= length_first(3);
+        norm_of_moment(2) <= moment_norm_lane(0);
+        norm_of_moment(3) <= moment_norm_lane(1);
+        moment_bound(2) <= moment_first(0);
+        moment_bound(3) <= moment_first(1);
+        length_measure0_plane_a0_h2 <= length_measure0_plane_a0;
+        face_of_vertex_h1 <= face_of_vertex;
+        bound_plane_a0_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(1)(0), 30);
+        bound_plane_a1_sum_first_result_h2 <= bound_plane_a1_sum_first_result;
+        bound_plane_a1_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(1)(1), 30);
+        bound_plane_a2_sum_first_result_h2 <= bound_plane_a2_sum_first_result;
+        bound_plane_a2_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(1)(2), 30);
+        bound_corner_sum_h2 <= resize(resize(length_bound(5), 30) + resize(length_bound(6), 30), 31) +
+            resize(length_bound(7), 31);
+        bound_plane_b1_result_h2 <= bound_plane_b1_result;
+        bound_plane_b2_result_h2 <= bound_plane_b2_result;
+        bound_of_a_aligned_second_h2 <= append(length_bound(8), 1);
+        length_measure0_ends0_h2 <= length_measure0_ends0;
+        bound_side00_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(0)(1), 30);
+        bound_side01_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(0)(2), 30);
+        bound_side02_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(0)(0), 30);
+        bound_side10_sum_sum_aligned_second_h2 <= append(length_bound(5), 1);
+        bound_side10_result_h2 <= bound_side10_result;
+        bound_side11_sum_sum_aligned_second_h2 <= append(length_bound(6), 1);
+        bound_side11_result_h2 <= bound_side11_result;
+        bound_side12_sum_sum_aligned_second_h2 <= append(length_bound(7), 1);
+        bound_side12_result_h2 <= bound_side12_result;
+        length_measure0_ends1_h2 <= length_measure0_ends1;
+        bound_side20_sum_second_h2 <= resize(face_of_vertex_h1(1)(0), 30) + resize(face_of_vertex_h1(1)(1), 30);
+        bound_side21_sum_second_h2 <= resize(face_of_vertex_h1(1)(1), 30) + resize(face_of_vertex_h1(1)(2), 30);
+        bound_side22_sum_second_h2 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex_h1(1)(0), 30);
+        compared3_h2 <= compared(3);
+        compared_bound3_h1 <= compared_bound(3);
+        compared_bound8_h2 <= compared_bound(8);
+        boxes_apart_along(2) <= boxes_lane(0);
+        compared3_sign0_h2 <= compared3_sign0;
+        compared3_sign1_h2 <= compared3_sign1;
+        compared4_sign0_h1 <= compared4_sign0;
+        compared4_sign1_h1 <= compared4_sign1;
+        compared6_sign0_h1 <= compared6_sign0;
+        compared6_sign1_h1 <= compared6_sign1;
+        compared7_sign0_h1 <= compared7_sign0;
+        compared7_sign1_h1 <= compared7_sign1;
+        compared8_sign0_h1 <= compared8_sign0;
+        compared8_sign1_h1 <= compared8_sign1;
+        compared5_sign0_h1 <= compared5_sign0;
+        compared5_sign1_h1 <= compared5_sign1;
+        compared9_sign0_h1 <= compared9_sign0;
+        compared9_sign1_h1 <= compared9_sign1;
+        compared10_sign0_h1 <= compared10_sign0;
+        compared10_sign1_h1 <= compared10_sign1;
+        compared11_sign0_h1 <= compared11_sign0;
+        compared11_sign1_h1 <= compared11_sign1;
+        compared12_sign0_h3 <= compared12_sign0_h2;
+        compared12_sign1_h3 <= compared12_sign1_h2;
+        compared13_sign0_h3 <= compared13_sign0_h2;
+        compared13_sign1_h3 <= compared13_sign1_h2;
+        compared14_sign0_h3 <= compared14_sign0_h2;
+        compared14_sign1_h3 <= compared14_sign1_h2;
+        compared0_sign0_h3 <= compared0_sign0_h2;
+        compared0_sign1_h3 <= compared0_sign1_h2;
+        compared1_sign0_h3 <= compared1_sign0_h2;
+        compared1_sign1_h3 <= compared1_sign1_h2;
+        compared2_sign0_h3 <= compared2_sign0_h2;
+        compared2_sign1_h3 <= compared2_sign1_h2;
+        separated0_not_h24 <= separated_not_h23(0);
+        separated1_or_h1 <= (compared0_sign0 and compared1_sign0 and compared2_sign0) or
+            (compared0_sign1 and compared1_sign1 and compared2_sign1);
+        separated2_or_h1 <= (compared3_sign0 and compared4_sign0 and compared5_sign0) or
+            (compared3_sign1 and compared4_sign1 and compared5_sign1);
+        separated1_not_h30 <= separated1_not_h29;
+        separated2_not_h32 <= separated2_not_h31;
+        separated3_not_h32 <= separated3_not_h31;
+        separated4_not_h32 <= separated4_not_h31;
+        separated5_not_h32 <= separated5_not_h31;
+        separated6_not_h32 <= separated6_not_h31;
+        separated7_not_h32 <= separated7_not_h31;
+        separated8_not_h32 <= separated8_not_h31;
+        overlapping3_not_h32 <= overlapping3_not_h31;
+        overlapping4_not_h32 <= overlapping4_not_h31;
+        overlapping5_not_h32 <= overlapping5_not_h31;
+        overlapping6_not_h32 <= overlapping6_not_h31;
+        overlapping7_not_h32 <= overlapping7_not_h31;
+        overlapping8_not_h32 <= overlapping8_not_h31;
+        separated1_h2 <= separated_i(1);
+      end if;
+      for i in 0 to 2 loop
+        if strobe(i mod 2) = '1' then
+          difference_w2_h2(i) <= difference_w2(i);
+        end if;
+      end loop;
       if in_phase_0 = '1' then
         busy_2 <= holds(0);
         busy_12 <= holds(5);
@@ -2839,17 +2215,6 @@ begin
         busy_21 <= holds(9);
         busy_25 <= holds(11);
         busy_27 <= holds(12);
-      end if;
-      if strobe0_copy(95) = '1' then
-        shift_x2_h1_copy <= shift(0)(2);
-      end if;
-      if strobe0_copy(96) = '1' then
-        shift_x1_h1_copy <= shift(0)(1);
-      end if;
-      if strobe0_copy(97) = '1' then
-        for k in 0 to 1 loop
-          shift_x0_h1_copy(k) <= shift(0)(0);
-        end loop;
       end if;
     end if;
   end process captures;

@@ -42,8 +42,6 @@ package efsat_types is
   constant zero_signed_39_x3 : signed_39_x3_t := (others => (others => '0'));
   type signed_40_x3_t is array (0 to 2) of signed(39 downto 0);
   constant zero_signed_40_x3 : signed_40_x3_t := (others => (others => '0'));
-  type unsigned_3_x4_t is array (0 to 3) of unsigned(2 downto 0);
-  constant zero_unsigned_3_x4 : unsigned_3_x4_t := (others => (others => '0'));
   type unsigned_20_x4_t is array (0 to 3) of unsigned(19 downto 0);
   constant zero_unsigned_20_x4 : unsigned_20_x4_t := (others => (others => '0'));
   type unsigned_21_x4_t is array (0 to 3) of unsigned(20 downto 0);
@@ -52,7 +50,6 @@ package efsat_types is
   type unsigned_31_x5_t is array (0 to 4) of unsigned(30 downto 0);
   type signed_19_x5_t is array (0 to 4) of signed(18 downto 0);
   type signed_33_x5_t is array (0 to 4) of signed(32 downto 0);
-  type unsigned_3_x9_t is array (0 to 8) of unsigned(2 downto 0);
   type unsigned_21_x9_t is array (0 to 8) of unsigned(20 downto 0);
   type unsigned_22_x9_t is array (0 to 8) of unsigned(21 downto 0);
   constant zero_unsigned_22_x9 : unsigned_22_x9_t := (others => (others => '0'));
@@ -112,13 +109,7 @@ package efsat_types is
   constant zero_flag_x4_vector : flag_x4_vector_t := (others => (others => '0'));
   type signed_19_x5_vector_t is array (0 to 2) of signed_19_x5_t;
   type signed_33_x5_vector_t is array (0 to 2) of signed_33_x5_t;
-  type flag_x4_vector_x5_t is array (0 to 4) of flag_x4_vector_t;
   type numbers_t is array (natural range <>) of integer;
-
-  -- Of registers that are copies, so that no net has too many loads: tools are not to merge them.
-  attribute keep : string;
-  attribute equivalent_register_removal : string;
-  attribute syn_preserve : boolean;
 
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;

@@ -62,8 +62,7 @@ architecture rtl of pair_pipeline is
   signal in_w0_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal in_w0_inside_d2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal row_turned : signed_32_x9_t;  -- |.| <= 805306372
-  signal pose_bypass_line : std_logic_vector(1 to 6) := (others => '0');
-  signal pose_bypass_d7 : std_logic := '0';
+  signal pose_bypass_line : std_logic_vector(1 to 7) := (others => '0');
   type in_w0_inside_line_t is array (1 to 4) of signed_32_x3_t;
   signal in_w0_inside_line : in_w0_inside_line_t := (others => zero_signed_32_x3);  -- |.| <= 268435456
   signal row_choice_d1 : signed_32_x9_t := zero_signed_32_x9;  -- |.| <= 805306372
@@ -473,32 +472,11 @@ architecture rtl of pair_pipeline is
   signal overlapping7_h1 : std_logic := '0';
   signal overlapping8_h1 : std_logic := '0';
   signal outside_line : std_logic_vector(1 to 26) := (others => '0');
-  signal level_d7_copy : unsigned(2 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal level_d5_copy : unsigned_3_x4_t := zero_unsigned_3_x4;  -- for at most 64 loads each
-  signal carried_z_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal carried_y_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal carried_x_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_z3_d1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_z2_d1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_z1_d1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_z0_d1_copy : std_logic_vector(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_y3_d1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_y2_d1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_y1_d1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_y0_d1_copy : std_logic_vector(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_x3_d1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_x2_d1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_x1_d1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_x0_d1_copy : std_logic_vector(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal pose_bypass_d7_copy : std_logic_vector(3 downto 0) := (others => '0');  -- for at most 64 loads each
   signal row_turned_unit_m : signed_32_vector_x9_t;
   signal row_turned_unit_w : signed_32_vector_x9_t;
   signal shift_unit_x : signed_33_x5_vector_t;
   signal lane_shifted_unit_x : signed_33_vector_x5_t;
-  signal lane_shifted_unit_shift : flag_x4_vector_x5_t;
   signal carried_unit_cut : signed_19_x5_vector_t;
-  signal coordinate_w1_unit_carried : std_logic_vector(2 downto 0);
-  signal coordinate_w2_unit_carried : std_logic_vector(2 downto 0);
   signal moment_lane_cut_unit_plus : signed_18_x2_x12_t;
   signal moment_lane_cut_unit_minus : signed_18_x2_x12_t;
   signal moment_lane_unit_cut : signed_20_vector_x4_t;
@@ -517,9 +495,7 @@ architecture rtl of pair_pipeline is
   signal length_measure0_plane_a0_unit_plane_b : unsigned_27_x2_t;
   signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
   signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
-  signal length_first_unit_by : unsigned_3_x9_t;
   signal moment_norm_lane_unit_x : signed_18_vector_x4_t;
-  signal moment_first_unit_by : unsigned_3_x4_t;
   signal compared0_sign0_unit_sign : std_logic_vector(1 downto 0);
   signal compared1_sign0_unit_sign : std_logic_vector(1 downto 0);
   signal compared2_sign0_unit_sign : std_logic_vector(1 downto 0);
@@ -551,79 +527,8 @@ architecture rtl of pair_pipeline is
   signal separated8_result_unit_sides : flag_x2_x3_t;
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
-  attribute keep of
-    pose_bypass_d7,
-    shift_d1,
-    carried_h1,
-    level_d5,
-    level_d7,
-    level_d7_copy,
-    level_d5_copy,
-    carried_z_h1_copy,
-    carried_y_h1_copy,
-    carried_x_h1_copy,
-    shift_z3_d1_copy,
-    shift_z2_d1_copy,
-    shift_z1_d1_copy,
-    shift_z0_d1_copy,
-    shift_y3_d1_copy,
-    shift_y2_d1_copy,
-    shift_y1_d1_copy,
-    shift_y0_d1_copy,
-    shift_x3_d1_copy,
-    shift_x2_d1_copy,
-    shift_x1_d1_copy,
-    shift_x0_d1_copy,
-    pose_bypass_d7_copy : signal is "true";
-  attribute equivalent_register_removal of
-    pose_bypass_d7,
-    shift_d1,
-    carried_h1,
-    level_d5,
-    level_d7,
-    level_d7_copy,
-    level_d5_copy,
-    carried_z_h1_copy,
-    carried_y_h1_copy,
-    carried_x_h1_copy,
-    shift_z3_d1_copy,
-    shift_z2_d1_copy,
-    shift_z1_d1_copy,
-    shift_z0_d1_copy,
-    shift_y3_d1_copy,
-    shift_y2_d1_copy,
-    shift_y1_d1_copy,
-    shift_y0_d1_copy,
-    shift_x3_d1_copy,
-    shift_x2_d1_copy,
-    shift_x1_d1_copy,
-    shift_x0_d1_copy,
-    pose_bypass_d7_copy : signal is "no";
-  attribute syn_preserve of
-    pose_bypass_d7,
-    shift_d1,
-    carried_h1,
-    level_d5,
-    level_d7,
-    level_d7_copy,
-    level_d5_copy,
-    carried_z_h1_copy,
-    carried_y_h1_copy,
-    carried_x_h1_copy,
-    shift_z3_d1_copy,
-    shift_z2_d1_copy,
-    shift_z1_d1_copy,
-    shift_z0_d1_copy,
-    shift_y3_d1_copy,
-    shift_y2_d1_copy,
-    shift_y1_d1_copy,
-    shift_y0_d1_copy,
-    shift_x3_d1_copy,
-    shift_x2_d1_copy,
-    shift_x1_d1_copy,
-    shift_x0_d1_copy,
-    pose_bypass_d7_copy : signal is true;
 begin
+  -- Strobes, one per phase
   overlapping0_constant <= '0';
   overlapping1_constant <= '0';
   overlapping2_constant <= '0';
@@ -755,30 +660,19 @@ begin
       port map (clk => clk, m => row_turned_unit_m(k), w => row_turned_unit_w(k), turned => row_turned(k));
   end generate row_turned_unit;
 
-  -- Clock 7
-  clock_7 : process (clk)
-  begin
-    if rising_edge(clk) then
-      pose_bypass_d7 <= pose_bypass_line(6);
-      for k in 0 to 3 loop
-        pose_bypass_d7_copy(k) <= pose_bypass_line(6);
-      end loop;
-    end if;
-  end process clock_7;
-
   -- Clock 8
   clock_8 : process (clk)
   begin
     if rising_edge(clk) then
-      row_choice_d1(0) <= choose(pose_bypass_d7, in_w0_inside_line(4)(0), row_turned(0));
-      row_choice_d1(1) <= choose(pose_bypass_d7, in_w0_inside_line(4)(1), row_turned(1));
-      row_choice_d1(2) <= choose(pose_bypass_d7_copy(0), in_w0_inside_line(4)(2), row_turned(2));
-      row_choice_d1(3) <= choose(pose_bypass_d7_copy(0), in_w1_inside_line(4)(0), row_turned(3));
-      row_choice_d1(4) <= choose(pose_bypass_d7_copy(1), in_w1_inside_line(4)(1), row_turned(4));
-      row_choice_d1(5) <= choose(pose_bypass_d7_copy(1), in_w1_inside_line(4)(2), row_turned(5));
-      row_choice_d1(6) <= choose(pose_bypass_d7_copy(2), in_w2_inside_line(4)(0), row_turned(6));
-      row_choice_d1(7) <= choose(pose_bypass_d7_copy(2), in_w2_inside_line(4)(1), row_turned(7));
-      row_choice_d1(8) <= choose(pose_bypass_d7_copy(3), in_w2_inside_line(4)(2), row_turned(8));
+      row_choice_d1(0) <= choose(pose_bypass_line(7), in_w0_inside_line(4)(0), row_turned(0));
+      row_choice_d1(1) <= choose(pose_bypass_line(7), in_w0_inside_line(4)(1), row_turned(1));
+      row_choice_d1(2) <= choose(pose_bypass_line(7), in_w0_inside_line(4)(2), row_turned(2));
+      row_choice_d1(3) <= choose(pose_bypass_line(7), in_w1_inside_line(4)(0), row_turned(3));
+      row_choice_d1(4) <= choose(pose_bypass_line(7), in_w1_inside_line(4)(1), row_turned(4));
+      row_choice_d1(5) <= choose(pose_bypass_line(7), in_w1_inside_line(4)(2), row_turned(5));
+      row_choice_d1(6) <= choose(pose_bypass_line(7), in_w2_inside_line(4)(0), row_turned(6));
+      row_choice_d1(7) <= choose(pose_bypass_line(7), in_w2_inside_line(4)(1), row_turned(7));
+      row_choice_d1(8) <= choose(pose_bypass_line(7), in_w2_inside_line(4)(2), row_turned(8));
     end if;
   end process clock_8;
   row_each : for k in 0 to 8 generate
@@ -812,30 +706,6 @@ begin
   begin
     if rising_edge(clk) then
       shift_d1 <= shift;
-      shift_z3_d1_copy <= shift(2)(3);
-      for k in 0 to 1 loop
-        shift_z2_d1_copy(k) <= shift(2)(2);
-        shift_z1_d1_copy(k) <= shift(2)(1);
-      end loop;
-      for k in 0 to 3 loop
-        shift_z0_d1_copy(k) <= shift(2)(0);
-      end loop;
-      shift_y3_d1_copy <= shift(1)(3);
-      for k in 0 to 1 loop
-        shift_y2_d1_copy(k) <= shift(1)(2);
-        shift_y1_d1_copy(k) <= shift(1)(1);
-      end loop;
-      for k in 0 to 3 loop
-        shift_y0_d1_copy(k) <= shift(1)(0);
-      end loop;
-      shift_x3_d1_copy <= shift(0)(3);
-      for k in 0 to 1 loop
-        shift_x2_d1_copy(k) <= shift(0)(2);
-        shift_x1_d1_copy(k) <= shift(0)(1);
-      end loop;
-      for k in 0 to 3 loop
-        shift_x0_d1_copy(k) <= shift(0)(0);
-      end loop;
     end if;
   end process clock_12;
   lane_shifted_unit_x(0) <= difference_v1_d11_line(3);
@@ -843,58 +713,9 @@ begin
   lane_shifted_unit_x(2) <= difference_w0_line(3);
   lane_shifted_unit_x(3) <= difference_w1_line(3);
   lane_shifted_unit_x(4) <= difference_w2_line(3);
-  lane_shifted_unit_shift(0) <= shift_d1;
-  lane_shifted_unit_shift(1)(0)(0) <= shift_x0_d1_copy(0);
-  lane_shifted_unit_shift(1)(0)(1) <= shift_d1(0)(1);
-  lane_shifted_unit_shift(1)(0)(2) <= shift_d1(0)(2);
-  lane_shifted_unit_shift(1)(0)(3) <= shift_d1(0)(3);
-  lane_shifted_unit_shift(1)(1)(0) <= shift_y0_d1_copy(0);
-  lane_shifted_unit_shift(1)(1)(1) <= shift_d1(1)(1);
-  lane_shifted_unit_shift(1)(1)(2) <= shift_d1(1)(2);
-  lane_shifted_unit_shift(1)(1)(3) <= shift_d1(1)(3);
-  lane_shifted_unit_shift(1)(2)(0) <= shift_z0_d1_copy(0);
-  lane_shifted_unit_shift(1)(2)(1) <= shift_d1(2)(1);
-  lane_shifted_unit_shift(1)(2)(2) <= shift_d1(2)(2);
-  lane_shifted_unit_shift(1)(2)(3) <= shift_d1(2)(3);
-  lane_shifted_unit_shift(2)(0)(0) <= shift_x0_d1_copy(1);
-  lane_shifted_unit_shift(2)(0)(1) <= shift_x1_d1_copy(0);
-  lane_shifted_unit_shift(2)(0)(2) <= shift_x2_d1_copy(0);
-  lane_shifted_unit_shift(2)(0)(3) <= shift_d1(0)(3);
-  lane_shifted_unit_shift(2)(1)(0) <= shift_y0_d1_copy(1);
-  lane_shifted_unit_shift(2)(1)(1) <= shift_y1_d1_copy(0);
-  lane_shifted_unit_shift(2)(1)(2) <= shift_y2_d1_copy(0);
-  lane_shifted_unit_shift(2)(1)(3) <= shift_d1(1)(3);
-  lane_shifted_unit_shift(2)(2)(0) <= shift_z0_d1_copy(1);
-  lane_shifted_unit_shift(2)(2)(1) <= shift_z1_d1_copy(0);
-  lane_shifted_unit_shift(2)(2)(2) <= shift_z2_d1_copy(0);
-  lane_shifted_unit_shift(2)(2)(3) <= shift_d1(2)(3);
-  lane_shifted_unit_shift(3)(0)(0) <= shift_x0_d1_copy(2);
-  lane_shifted_unit_shift(3)(0)(1) <= shift_x1_d1_copy(0);
-  lane_shifted_unit_shift(3)(0)(2) <= shift_x2_d1_copy(0);
-  lane_shifted_unit_shift(3)(0)(3) <= shift_x3_d1_copy;
-  lane_shifted_unit_shift(3)(1)(0) <= shift_y0_d1_copy(2);
-  lane_shifted_unit_shift(3)(1)(1) <= shift_y1_d1_copy(0);
-  lane_shifted_unit_shift(3)(1)(2) <= shift_y2_d1_copy(0);
-  lane_shifted_unit_shift(3)(1)(3) <= shift_y3_d1_copy;
-  lane_shifted_unit_shift(3)(2)(0) <= shift_z0_d1_copy(2);
-  lane_shifted_unit_shift(3)(2)(1) <= shift_z1_d1_copy(0);
-  lane_shifted_unit_shift(3)(2)(2) <= shift_z2_d1_copy(0);
-  lane_shifted_unit_shift(3)(2)(3) <= shift_z3_d1_copy;
-  lane_shifted_unit_shift(4)(0)(0) <= shift_x0_d1_copy(3);
-  lane_shifted_unit_shift(4)(0)(1) <= shift_x1_d1_copy(1);
-  lane_shifted_unit_shift(4)(0)(2) <= shift_x2_d1_copy(1);
-  lane_shifted_unit_shift(4)(0)(3) <= shift_x3_d1_copy;
-  lane_shifted_unit_shift(4)(1)(0) <= shift_y0_d1_copy(3);
-  lane_shifted_unit_shift(4)(1)(1) <= shift_y1_d1_copy(1);
-  lane_shifted_unit_shift(4)(1)(2) <= shift_y2_d1_copy(1);
-  lane_shifted_unit_shift(4)(1)(3) <= shift_y3_d1_copy;
-  lane_shifted_unit_shift(4)(2)(0) <= shift_z0_d1_copy(3);
-  lane_shifted_unit_shift(4)(2)(1) <= shift_z1_d1_copy(1);
-  lane_shifted_unit_shift(4)(2)(2) <= shift_z2_d1_copy(1);
-  lane_shifted_unit_shift(4)(2)(3) <= shift_z3_d1_copy;
   lane_shifted_unit : for k in 0 to 4 generate
     unit : entity work.coordinate_scale
-      port map (x => lane_shifted_unit_x(k), shift => lane_shifted_unit_shift(k), cut => lane_shifted(k));
+      port map (x => lane_shifted_unit_x(k), shift => shift_d1, cut => lane_shifted(k));
   end generate lane_shifted_unit;
 
   -- Clock 13
@@ -927,9 +748,6 @@ begin
       taken_x_h1 <= taken_x;
       taken_y_h1 <= taken_y;
       taken_z_h1 <= taken_z;
-      carried_z_h1_copy <= carried(2);
-      carried_y_h1_copy <= carried(1);
-      carried_x_h1_copy <= carried(0);
     end if;
   end process clock_14;
   axis_level(0) <= to_unsigned(axis_level_0_table(to_integer(known(taken_x_h1))), 3);
@@ -937,12 +755,6 @@ begin
   axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(known(taken_z_h1))), 3);
   axis_level0_resized_less_choice <= axis_level(1) when
       less(signed(resize(axis_level(0), 4)), signed(resize(axis_level(1), 4))) = '1' else axis_level(0);
-  coordinate_w1_unit_carried(0) <= carried_x_h1_copy;
-  coordinate_w1_unit_carried(1) <= carried_y_h1_copy;
-  coordinate_w1_unit_carried(2) <= carried_z_h1_copy;
-  coordinate_w2_unit_carried(0) <= carried_x_h1_copy;
-  coordinate_w2_unit_carried(1) <= carried_y_h1_copy;
-  coordinate_w2_unit_carried(2) <= carried_z_h1_copy;
   coordinate_v1_unit : entity work.coordinate_round
     port map (cut => coordinate_cut_h1(0), carried => carried_h1, y => coordinate_v1);
   coordinate_v2_unit : entity work.coordinate_round
@@ -950,9 +762,9 @@ begin
   coordinate_w0_unit : entity work.coordinate_round
     port map (cut => coordinate_cut_h1(2), carried => carried_h1, y => coordinate_w0);
   coordinate_w1_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut_h1(3), carried => coordinate_w1_unit_carried, y => coordinate_w1);
+    port map (cut => coordinate_cut_h1(3), carried => carried_h1, y => coordinate_w1);
   coordinate_w2_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut_h1(4), carried => coordinate_w2_unit_carried, y => coordinate_w2);
+    port map (cut => coordinate_cut_h1(4), carried => carried_h1, y => coordinate_w2);
 
   -- Clock 15
   clock_15 : process (clk)
@@ -1161,9 +973,6 @@ begin
       rest_h1 <= rest;
       length_times_g_d1 <= length_times_g;
       level_d5 <= level_d4;
-      for k in 0 to 3 loop
-        level_d5_copy(k) <= level_d4;
-      end loop;
     end if;
   end process clock_20;
   dot_lane_unit_x(0) <= coordinate_w0_line(4);
@@ -1186,15 +995,6 @@ begin
   dot_lane_unit_m(7) <= moment_m1;
   dot_lane_unit_m(8) <= moment_m2;
   dot_lane_unit_m(9) <= moment_n;
-  length_first_unit_by(0) <= level_d5;
-  length_first_unit_by(1) <= level_d5;
-  length_first_unit_by(2) <= level_d5_copy(0);
-  length_first_unit_by(3) <= level_d5_copy(0);
-  length_first_unit_by(4) <= level_d5_copy(1);
-  length_first_unit_by(5) <= level_d5_copy(1);
-  length_first_unit_by(6) <= level_d5_copy(2);
-  length_first_unit_by(7) <= level_d5_copy(2);
-  length_first_unit_by(8) <= level_d5_copy(3);
   moment_norm_lane_unit_x(0) <= moment_m0;
   moment_norm_lane_unit_x(1) <= moment_m1;
   moment_norm_lane_unit_x(2) <= moment_m2;
@@ -1205,7 +1005,7 @@ begin
   end generate dot_lane_unit;
   length_first_unit : for k in 0 to 8 generate
     unit : entity work.length_first_order
-      port map (x => length_times_g_d1(k), by => length_first_unit_by(k), first_order => length_first(k));
+      port map (x => length_times_g_d1(k), by => level_d5, first_order => length_first(k));
   end generate length_first_unit;
   moment_norm_lane_unit : for k in 0 to 3 generate
     unit : entity work.moment_norm
@@ -1273,19 +1073,14 @@ begin
       bound_side10_sum_sum_aligned_second_h1 <= append(length_bound(5), 1);
       bound_side11_sum_sum_aligned_second_h1 <= append(length_bound(6), 1);
       bound_side12_sum_sum_aligned_second_h1 <= append(length_bound(7), 1);
-      level_d7_copy <= level_d6;
     end if;
   end process clock_22;
   moment_measure_each : for k in 0 to 3 generate
     moment_measure(k) <= resize(norm_of_moment(k), 21);
   end generate moment_measure_each;
-  moment_first_unit_by(0) <= level_d7;
-  moment_first_unit_by(1) <= level_d7;
-  moment_first_unit_by(2) <= level_d7_copy;
-  moment_first_unit_by(3) <= level_d7_copy;
   moment_first_unit : for k in 0 to 3 generate
     unit : entity work.moment_first_order
-      port map (x => moment_measure(k), by => moment_first_unit_by(k), first_order => moment_first(k));
+      port map (x => moment_measure(k), by => level_d7, first_order => moment_first(k));
   end generate moment_first_unit;
 
   -- Clock 23
@@ -1698,7 +1493,7 @@ begin
   delays : process (clk)
   begin
     if rising_edge(clk) then
-      pose_bypass_line <= pose_bypass & pose_bypass_line(1 to 5);
+      pose_bypass_line <= pose_bypass & pose_bypass_line(1 to 6);
       in_w0_inside_line <= in_w0_inside_d2 & in_w0_inside_line(1 to 3);
       moved_line <= moved & moved_line(1 to 5);
       in_w1_inside_line <= in_w1_inside_d2 & in_w1_inside_line(1 to 3);

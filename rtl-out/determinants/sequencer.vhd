@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
--- Handshakes and FIFO pointers. A pair is accepted in any clock if a place
+-- Phases of the slot, handshakes and FIFO pointers. A pair is accepted in the last phase of a slot if a place
 -- in the result FIFO is free; the data path itself never stops.
 --------------------------------------------------------------------------------
 library ieee;
@@ -23,7 +23,7 @@ entity sequencer is
     accept_address : out unsigned(5 downto 0);
     decide_address : out unsigned(5 downto 0);
     take_address   : out unsigned(5 downto 0);
-    pose_load      : out std_logic;  -- a pose is pending
+    pose_load      : out std_logic;  -- last phase, and a pose is pending
     pose_ready     : out std_logic;
     pose_accept    : out std_logic
   );
@@ -53,14 +53,14 @@ architecture rtl of sequencer is
   signal output_free : std_logic;
   signal take_pair : std_logic;
   signal pose_pending : std_logic := '0';
-  signal load_pose : std_logic := '0';  -- a pose is pending
+  signal load_pose : std_logic := '0';  -- last phase, and a pose is pending
   signal takes_pose : std_logic;
   signal pose_waits : std_logic;
   signal pose_pending_next : std_logic;
 begin
   taken_turned <= taken + 64;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
-  accepts <= running and not full;
+  accepts <= running and '1' and not full;
   accept_pair <= in_valid and accepts;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
@@ -104,7 +104,7 @@ begin
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
         pose_pending <= pose_pending_next;
-        load_pose <= pose_pending_next;
+        load_pose <= pose_pending_next and '1';
       end if;
       if reset = '1' then
         accepted <= to_unsigned(0, 7);

@@ -92,12 +92,9 @@ architecture rtl of efsat is
   signal control_accept_address : unsigned(3 downto 0);
   signal control_decide_address : unsigned(3 downto 0);
   signal control_take_address : unsigned(3 downto 0);
-  signal last_phase : std_logic := '0';  -- set in phase 10
-  signal load_pair : std_logic;
+  signal control_pose_accept : std_logic;
   signal pair_v : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal pair_w : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
-  signal pose_phase : std_logic := '0';  -- set in phase 9
-  signal load_pose : std_logic;
   signal active_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal active_t : signed_32_vector_t := zero_signed_32_vector;  -- s4.28
   signal active_bypass : std_logic := '1';
@@ -117,57 +114,18 @@ architecture rtl of efsat is
   signal tag_queue_words : tag_queue_words_t := (others => (others => '0'));
   signal tag_queue : unsigned(57 downto 0);  -- tags of the pairs accepted and not yet taken
   signal offered_tag : unsigned(57 downto 0) := (others => '0');
-  signal pose_phase_copy : std_logic_vector(5 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal load_pose_copy : std_logic_vector(5 downto 0);  -- for at most 64 loads each
-  signal last_phase_copy : std_logic_vector(7 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal load_pair_copy : std_logic_vector(7 downto 0);  -- for at most 64 loads each
-  attribute keep of
-    last_phase,
-    load_pair,
-    pose_phase,
-    load_pose,
-    pose_phase_copy,
-    load_pose_copy,
-    last_phase_copy,
-    load_pair_copy : signal is "true";
-  attribute equivalent_register_removal of
-    last_phase,
-    load_pair,
-    pose_phase,
-    load_pose,
-    pose_phase_copy,
-    load_pose_copy,
-    last_phase_copy,
-    load_pair_copy : signal is "no";
-  attribute syn_preserve of
-    last_phase,
-    load_pair,
-    pose_phase,
-    load_pose,
-    pose_phase_copy,
-    load_pose_copy,
-    last_phase_copy,
-    load_pair_copy : signal is true;
 begin
-  load_pair <= in_valid and last_phase;
-  load_pose <= pose_valid and pose_phase;
   result_word <= path_outside & unsigned(path_overlapping) & unsigned(path_separated) & path_verdict;
   offered_verdict <= offered_word(1 downto 0);
   offered_separated <= offered_word(12 downto 2);
   offered_overlapping <= offered_word(23 downto 13);
-  load_pose_copy_each : for k in 0 to 5 generate
-    load_pose_copy(k) <= pose_valid and pose_phase_copy(k);
-  end generate load_pose_copy_each;
-  load_pair_copy_each : for k in 0 to 7 generate
-    load_pair_copy(k) <= in_valid and last_phase_copy(k);
-  end generate load_pair_copy_each;
   out_outside <= offered_word(24);
   control : entity work.sequencer
     port map (clk => clk, reset => reset, in_valid => in_valid, pose_valid => pose_valid, out_ready => out_ready,
               phase => control_phase, holds => control_holds, in_ready => in_ready, accept => control_accept,
               decide => control_decide, out_valid => out_valid, take => control_take,
               accept_address => control_accept_address, decide_address => control_decide_address,
-              take_address => control_take_address, pose_ready => pose_ready);
+              take_address => control_take_address, pose_ready => pose_ready, pose_accept => control_pose_accept);
   path : entity work.pair_pipeline
     port map (clk => clk, phase => control_phase, holds => control_holds, in_v => pair_v, in_w => pair_w,
               pose_m => active_m, pose_t => active_t, pose_bypass => active_bypass, verdict => path_verdict,
@@ -177,63 +135,37 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if load_pair = '1' then
+      if control_accept = '1' then
         pair_v(0)(0) <= signed(in_v0_x);
         pair_v(0)(1) <= signed(in_v0_y);
-      end if;
-      if load_pair_copy(0) = '1' then
         pair_v(0)(2) <= signed(in_v0_z);
         pair_v(1)(0) <= signed(in_v1_x);
-      end if;
-      if load_pair_copy(1) = '1' then
         pair_v(1)(1) <= signed(in_v1_y);
         pair_v(1)(2) <= signed(in_v1_z);
-      end if;
-      if load_pair_copy(2) = '1' then
         pair_v(2)(0) <= signed(in_v2_x);
         pair_v(2)(1) <= signed(in_v2_y);
-      end if;
-      if load_pair_copy(3) = '1' then
         pair_v(2)(2) <= signed(in_v2_z);
         pair_w(0)(0) <= signed(in_w0_x);
-      end if;
-      if load_pair_copy(4) = '1' then
         pair_w(0)(1) <= signed(in_w0_y);
         pair_w(0)(2) <= signed(in_w0_z);
-      end if;
-      if load_pair_copy(5) = '1' then
         pair_w(1)(0) <= signed(in_w1_x);
         pair_w(1)(1) <= signed(in_w1_y);
-      end if;
-      if load_pair_copy(6) = '1' then
         pair_w(1)(2) <= signed(in_w1_z);
         pair_w(2)(0) <= signed(in_w2_x);
-      end if;
-      if load_pair_copy(7) = '1' then
         pair_w(2)(1) <= signed(in_w2_y);
         pair_w(2)(2) <= signed(in_w2_z);
       end if;
-      if load_pose = '1' then
+      if control_pose_accept = '1' then
         active_m(0)(0) <= signed(pose_m00);
         active_m(0)(1) <= signed(pose_m01);
-      end if;
-      if load_pose_copy(0) = '1' then
         active_m(0)(2) <= signed(pose_m02);
         active_m(1)(0) <= signed(pose_m10);
-      end if;
-      if load_pose_copy(1) = '1' then
         active_m(1)(1) <= signed(pose_m11);
         active_m(1)(2) <= signed(pose_m12);
-      end if;
-      if load_pose_copy(2) = '1' then
         active_m(2)(0) <= signed(pose_m20);
         active_m(2)(1) <= signed(pose_m21);
-      end if;
-      if load_pose_copy(3) = '1' then
         active_m(2)(2) <= signed(pose_m22);
         active_t(0) <= signed(pose_t_x);
-      end if;
-      if load_pose_copy(4) = '1' then
         active_t(1) <= signed(pose_t_y);
         active_t(2) <= signed(pose_t_z);
       end if;
@@ -249,27 +181,8 @@ begin
   begin
     if rising_edge(clk) then
       if reset = '1' then
-        last_phase <= '0';
-        pose_phase <= '0';
-        for k in 0 to 5 loop
-          pose_phase_copy(k) <= '0';
-        end loop;
-        for k in 0 to 7 loop
-          last_phase_copy(k) <= '0';
-        end loop;
-      else
-        last_phase <= flag(known(control_phase) = 9);
-        pose_phase <= flag(known(control_phase) = 8);
-        for k in 0 to 5 loop
-          pose_phase_copy(k) <= flag(known(control_phase) = 8);
-        end loop;
-        for k in 0 to 7 loop
-          last_phase_copy(k) <= flag(known(control_phase) = 9);
-        end loop;
-      end if;
-      if reset = '1' then
         active_bypass <= '1';
-      elsif load_pose_copy(5) = '1' then
+      elsif control_pose_accept = '1' then
         active_bypass <= pose_bypass;
       end if;
     end if;

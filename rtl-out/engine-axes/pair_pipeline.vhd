@@ -232,27 +232,6 @@ architecture rtl of pair_pipeline is
   signal in_phase_5 : std_logic;
   signal busy_40 : std_logic := '0';  -- set in clocks 39 to 49 of a pair
   signal busy_45 : std_logic := '0';  -- set in clocks 44 to 54 of a pair
-  signal axis0_v3_select_at_7_copy : std_logic := '0';  -- for at most 64 loads each
-  signal axis0_v2_1_select_tap_at_7_copy : unsigned(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal axis0_v1_1_select_tap_at_7_copy : unsigned(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal axis0_v0_select_at_7_copy : std_logic := '0';  -- for at most 64 loads each
-  signal axis_f0_select_tap_at_10_copy : unsigned(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal axis_e0_select_tap_at_10_copy : unsigned(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal lane_edge_rounding_at_5_copy : std_logic := '0';  -- for at most 64 loads each
-  signal lane_from_input0_at_1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal lane0_2_operand_select_tap_at_1_copy : unsigned(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal lane_input0_select_at_10_copy : unsigned(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe10_copy : std_logic_vector(2 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe9_copy : std_logic_vector(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe8_copy : std_logic_vector(2 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe7_copy : std_logic := '0';  -- for at most 64 loads each
-  signal strobe6_copy : std_logic_vector(2 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe4_copy : std_logic_vector(2 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe3_copy : std_logic := '0';  -- for at most 64 loads each
-  signal strobe1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal strobe0_copy : std_logic := '0';  -- for at most 64 loads each
-  signal row_x0_select_at_0_copy : unsigned(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal row_t_pose0_select_at_0_copy : unsigned(1 downto 0) := (others => '0');  -- for at most 64 loads each
   signal row_unit_m : signed_32_vector_t;
   signal row_unit_x : signed_32_vector_t;
   signal lane_lo_operand_line_x : signed_32_vector_t;
@@ -260,124 +239,7 @@ architecture rtl of pair_pipeline is
   signal lane_hi_operand_line_x : signed_32_vector_t;
   signal lane_hi_operand_line_tap : unsigned_4_vector_t;
   signal offset_unit_origin : signed_32_vector_t;
-  signal axis_e_lo_line_tap : unsigned_4_vector_t;
-  signal axis_e_hi_line_tap : unsigned_4_vector_t;
-  signal axis_e_case_line_tap : unsigned_4_vector_t;
-  signal axis_f_lo_line_tap : unsigned_4_vector_t;
-  signal axis_f_hi_line_tap : unsigned_4_vector_t;
-  signal axis_f_case_line_tap : unsigned_4_vector_t;
-  signal axis0_v_lo1_line_tap : unsigned_4_vector_t;
-  signal axis0_v_lo2_line_tap : unsigned_4_vector_t;
-  signal axis0_v_hi1_line_tap : unsigned_4_vector_t;
-  signal axis0_v_hi2_line_tap : unsigned_4_vector_t;
-  signal axis0_v1_case_line_tap : unsigned_4_vector_t;
-  signal axis0_v2_case_line_tap : unsigned_4_vector_t;
   signal axis_separated_unit_has : flag_x2_x2_t;
-  attribute keep of
-    row_t_pose_select_at_0,
-    row_x_select_at_0,
-    strobe,
-    lane_input_select_at_10,
-    lane2_operand_select_tap_at_1,
-    lane_from_input_at_1,
-    lane_edge_rounding_at_5,
-    axis_e_select_tap_at_10,
-    axis_f_select_tap_at_10,
-    axis0_v0_select_at_7,
-    axis0_v3_select_at_7,
-    axis0_v1_1_select_tap_at_7,
-    axis0_v2_1_select_tap_at_7,
-    axis0_v3_select_at_7_copy,
-    axis0_v2_1_select_tap_at_7_copy,
-    axis0_v1_1_select_tap_at_7_copy,
-    axis0_v0_select_at_7_copy,
-    axis_f0_select_tap_at_10_copy,
-    axis_e0_select_tap_at_10_copy,
-    lane_edge_rounding_at_5_copy,
-    lane_from_input0_at_1_copy,
-    lane0_2_operand_select_tap_at_1_copy,
-    lane_input0_select_at_10_copy,
-    strobe10_copy,
-    strobe9_copy,
-    strobe8_copy,
-    strobe7_copy,
-    strobe6_copy,
-    strobe4_copy,
-    strobe3_copy,
-    strobe1_copy,
-    strobe0_copy,
-    row_x0_select_at_0_copy,
-    row_t_pose0_select_at_0_copy : signal is "true";
-  attribute equivalent_register_removal of
-    row_t_pose_select_at_0,
-    row_x_select_at_0,
-    strobe,
-    lane_input_select_at_10,
-    lane2_operand_select_tap_at_1,
-    lane_from_input_at_1,
-    lane_edge_rounding_at_5,
-    axis_e_select_tap_at_10,
-    axis_f_select_tap_at_10,
-    axis0_v0_select_at_7,
-    axis0_v3_select_at_7,
-    axis0_v1_1_select_tap_at_7,
-    axis0_v2_1_select_tap_at_7,
-    axis0_v3_select_at_7_copy,
-    axis0_v2_1_select_tap_at_7_copy,
-    axis0_v1_1_select_tap_at_7_copy,
-    axis0_v0_select_at_7_copy,
-    axis_f0_select_tap_at_10_copy,
-    axis_e0_select_tap_at_10_copy,
-    lane_edge_rounding_at_5_copy,
-    lane_from_input0_at_1_copy,
-    lane0_2_operand_select_tap_at_1_copy,
-    lane_input0_select_at_10_copy,
-    strobe10_copy,
-    strobe9_copy,
-    strobe8_copy,
-    strobe7_copy,
-    strobe6_copy,
-    strobe4_copy,
-    strobe3_copy,
-    strobe1_copy,
-    strobe0_copy,
-    row_x0_select_at_0_copy,
-    row_t_pose0_select_at_0_copy : signal is "no";
-  attribute syn_preserve of
-    row_t_pose_select_at_0,
-    row_x_select_at_0,
-    strobe,
-    lane_input_select_at_10,
-    lane2_operand_select_tap_at_1,
-    lane_from_input_at_1,
-    lane_edge_rounding_at_5,
-    axis_e_select_tap_at_10,
-    axis_f_select_tap_at_10,
-    axis0_v0_select_at_7,
-    axis0_v3_select_at_7,
-    axis0_v1_1_select_tap_at_7,
-    axis0_v2_1_select_tap_at_7,
-    axis0_v3_select_at_7_copy,
-    axis0_v2_1_select_tap_at_7_copy,
-    axis0_v1_1_select_tap_at_7_copy,
-    axis0_v0_select_at_7_copy,
-    axis_f0_select_tap_at_10_copy,
-    axis_e0_select_tap_at_10_copy,
-    lane_edge_rounding_at_5_copy,
-    lane_from_input0_at_1_copy,
-    lane0_2_operand_select_tap_at_1_copy,
-    lane_input0_select_at_10_copy,
-    strobe10_copy,
-    strobe9_copy,
-    strobe8_copy,
-    strobe7_copy,
-    strobe6_copy,
-    strobe4_copy,
-    strobe3_copy,
-    strobe1_copy,
-    strobe0_copy,
-    row_x0_select_at_0_copy,
-    row_t_pose0_select_at_0_copy : signal is true;
 begin
   -- Strobes, one per phase
   strobes : process (clk)
@@ -386,23 +248,6 @@ begin
       for k in 0 to 10 loop
         strobe(k) <= flag(known(phase) = (k + 10) mod 11) and in_flight;
       end loop;
-      for k in 0 to 2 loop
-        strobe10_copy(k) <= flag(known(phase) = 9) and in_flight;
-      end loop;
-      for k in 0 to 3 loop
-        strobe9_copy(k) <= flag(known(phase) = 8) and in_flight;
-      end loop;
-      for k in 0 to 2 loop
-        strobe8_copy(k) <= flag(known(phase) = 7) and in_flight;
-      end loop;
-      strobe7_copy <= flag(known(phase) = 6) and in_flight;
-      for k in 0 to 2 loop
-        strobe6_copy(k) <= flag(known(phase) = 5) and in_flight;
-        strobe4_copy(k) <= flag(known(phase) = 3) and in_flight;
-      end loop;
-      strobe3_copy <= flag(known(phase) = 2) and in_flight;
-      strobe1_copy <= flag(known(phase) = 0) and in_flight;
-      strobe0_copy <= flag(known(phase) = 10) and in_flight;
     end if;
   end process strobes;
   in_phase_10 <= flag(known(phase) = 10);
@@ -424,34 +269,18 @@ begin
     pose_t(1) when known(row_t_pose_select_at_0) = 1 else
     pose_t(2);
   row_t <= to_signed(0, 32) when pose_bypass = '1' else row_t_pose;
-  row_m_pose(0) <=
-    pose_m(0)(0) when known(row_t_pose_select_at_0) = 0 else
-    pose_m(1)(0) when known(row_t_pose_select_at_0) = 1 else
-    pose_m(2)(0);
-  row_m_pose(1) <=
-    pose_m(0)(1) when known(row_t_pose0_select_at_0_copy) = 0 else
-    pose_m(1)(1) when known(row_t_pose0_select_at_0_copy) = 1 else
-    pose_m(2)(1);
-  row_m_pose(2) <=
-    pose_m(0)(2) when known(row_t_pose0_select_at_0_copy) = 0 else
-    pose_m(1)(2) when known(row_t_pose0_select_at_0_copy) = 1 else
-    pose_m(2)(2);
+  row_m_pose <=
+    pose_m(0) when known(row_t_pose_select_at_0) = 0 else
+    pose_m(1) when known(row_t_pose_select_at_0) = 1 else
+    pose_m(2);
   row_m_each : for i in 0 to 2 generate
     row_m(i) <= choose(row_diagonal_at_0(i), to_signed(268435456, 32), to_signed(0, 32)) when pose_bypass = '1' else
         row_m_pose(i);
   end generate row_m_each;
-  row_x(0) <=
-    in_w(0)(0) when known(row_x_select_at_0) = 0 else
-    in_w(1)(0) when known(row_x_select_at_0) = 1 else
-    in_w(2)(0);
-  row_x(1) <=
-    in_w(0)(1) when known(row_x_select_at_0) = 0 else
-    in_w(1)(1) when known(row_x_select_at_0) = 1 else
-    in_w(2)(1);
-  row_x(2) <=
-    in_w(0)(2) when known(row_x0_select_at_0_copy) = 0 else
-    in_w(1)(2) when known(row_x0_select_at_0_copy) = 1 else
-    in_w(2)(2);
+  row_x <=
+    in_w(0) when known(row_x_select_at_0) = 0 else
+    in_w(1) when known(row_x_select_at_0) = 1 else
+    in_w(2);
   in_v0_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_coordinate
       port map (clk => clk, number => in_v(0)(k), passed => in_v0_inside(k), outside => in_v0_outside(k));
@@ -501,18 +330,12 @@ begin
       row_d1 <= row;
     end if;
   end process clock_10;
-  lane_input(0) <=
-    in_v0_inside_h9(0) when known(lane_input_select_at_10) = 0 else
-    in_v1_h11(0) when known(lane_input_select_at_10) = 1 else
-    in_v2_h11(0);
-  lane_input(1) <=
-    in_v0_inside_h9(1) when known(lane_input_select_at_10) = 0 else
-    in_v1_h11(1) when known(lane_input_select_at_10) = 1 else
-    in_v2_h11(1);
-  lane_input(2) <=
-    in_v0_inside_h9(2) when known(lane_input0_select_at_10_copy) = 0 else
-    in_v1_h11(2) when known(lane_input0_select_at_10_copy) = 1 else
-    in_v2_h11(2);
+  lane_input_each : for i in 0 to 2 generate
+    lane_input(i) <=
+      in_v0_inside_h9(i) when known(lane_input_select_at_10) = 0 else
+      in_v1_h11(i) when known(lane_input_select_at_10) = 1 else
+      in_v2_h11(i);
+  end generate lane_input_each;
 
   -- Clock 11
   clock_11 : process (clk)
@@ -527,13 +350,13 @@ begin
   lane_lo_operand_line_x(2) <= row.lo;
   lane_lo_operand_line_tap(0) <= lane2_operand_select_tap_at_1;
   lane_lo_operand_line_tap(1) <= lane1_operand_select_tap_at_1;
-  lane_lo_operand_line_tap(2) <= lane0_2_operand_select_tap_at_1_copy;
+  lane_lo_operand_line_tap(2) <= lane2_operand_select_tap_at_1;
   lane_hi_operand_line_x(0) <= row_d2.hi;
   lane_hi_operand_line_x(1) <= row.hi;
   lane_hi_operand_line_x(2) <= row.hi;
   lane_hi_operand_line_tap(0) <= lane2_operand_select_tap_at_1;
   lane_hi_operand_line_tap(1) <= lane1_operand_select_tap_at_1;
-  lane_hi_operand_line_tap(2) <= lane0_2_operand_select_tap_at_1_copy;
+  lane_hi_operand_line_tap(2) <= lane2_operand_select_tap_at_1;
   lane0_input_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_coordinate
       port map (clk => clk, number => lane_input_d1(k), passed => lane0_input_inside(k),
@@ -551,12 +374,10 @@ begin
   end generate lane_hi_operand_line;
 
   -- Clock 12
-  lane(0).lo <= lane0_input_inside(0) when lane_from_input_at_1 = '1' else lane_operand(0).lo;
-  lane(0).hi <= lane0_input_inside(0) + 1 when lane_from_input_at_1 = '1' else lane_operand(0).hi;
-  lane(1).lo <= lane0_input_inside(1) when lane_from_input0_at_1_copy(0) = '1' else lane_operand(1).lo;
-  lane(1).hi <= lane0_input_inside(1) + 1 when lane_from_input0_at_1_copy(0) = '1' else lane_operand(1).hi;
-  lane(2).lo <= lane0_input_inside(2) when lane_from_input0_at_1_copy(1) = '1' else lane_operand(2).lo;
-  lane(2).hi <= lane0_input_inside(2) + 1 when lane_from_input0_at_1_copy(1) = '1' else lane_operand(2).hi;
+  lane_lo_each : for i in 0 to 2 generate
+    lane(i).lo <= lane0_input_inside(i) when lane_from_input_at_1 = '1' else lane_operand(i).lo;
+    lane(i).hi <= lane0_input_inside(i) + 1 when lane_from_input_at_1 = '1' else lane_operand(i).hi;
+  end generate lane_lo_each;
   outside_found <= or_reduce((or_reduce(unsigned(lane0_input_outside)) and outside_found_word_and_second_select_at_1) &
       outside_found_word_and_first_line(10));
   outside_so_far <= outside_found or outside_so_far_before;
@@ -631,36 +452,12 @@ begin
       end loop;
     end if;
   end process clock_27;
-  lane_edge(0).lo <= lane_difference_d1(0).lo(17 downto 0) when lane_edge_rounding_at_5 = '1' else
-      lane_difference_d1(0).lo(18 downto 1);
-  lane_edge(0).hi <= lane_difference_d1(0).hi(17 downto 0) when lane_edge_rounding_at_5 = '1' else
-      lane_edge_hi_second_up_d1(0)(17 downto 0);
-  lane_edge(1).lo <= lane_difference_d1(1).lo(17 downto 0) when lane_edge_rounding_at_5 = '1' else
-      lane_difference_d1(1).lo(18 downto 1);
-  lane_edge(1).hi <= lane_difference_d1(1).hi(17 downto 0) when lane_edge_rounding_at_5_copy = '1' else
-      lane_edge_hi_second_up_d1(1)(17 downto 0);
-  lane_edge(2).lo <= lane_difference_d1(2).lo(17 downto 0) when lane_edge_rounding_at_5_copy = '1' else
-      lane_difference_d1(2).lo(18 downto 1);
-  lane_edge(2).hi <= lane_difference_d1(2).hi(17 downto 0) when lane_edge_rounding_at_5_copy = '1' else
-      lane_edge_hi_second_up_d1(2)(17 downto 0);
-  axis_e_lo_line_tap(0) <= axis_e_select_tap_at_10;
-  axis_e_lo_line_tap(1) <= axis_e_select_tap_at_10;
-  axis_e_lo_line_tap(2) <= axis_e0_select_tap_at_10_copy;
-  axis_e_hi_line_tap(0) <= axis_e_select_tap_at_10;
-  axis_e_hi_line_tap(1) <= axis_e0_select_tap_at_10_copy;
-  axis_e_hi_line_tap(2) <= axis_e0_select_tap_at_10_copy;
-  axis_e_case_line_tap(0) <= axis_e_select_tap_at_10;
-  axis_e_case_line_tap(1) <= axis_e0_select_tap_at_10_copy;
-  axis_e_case_line_tap(2) <= axis_e0_select_tap_at_10_copy;
-  axis_f_lo_line_tap(0) <= axis_f_select_tap_at_10;
-  axis_f_lo_line_tap(1) <= axis_f_select_tap_at_10;
-  axis_f_lo_line_tap(2) <= axis_f0_select_tap_at_10_copy;
-  axis_f_hi_line_tap(0) <= axis_f_select_tap_at_10;
-  axis_f_hi_line_tap(1) <= axis_f0_select_tap_at_10_copy;
-  axis_f_hi_line_tap(2) <= axis_f0_select_tap_at_10_copy;
-  axis_f_case_line_tap(0) <= axis_f_select_tap_at_10;
-  axis_f_case_line_tap(1) <= axis_f0_select_tap_at_10_copy;
-  axis_f_case_line_tap(2) <= axis_f0_select_tap_at_10_copy;
+  lane_edge_lo_each : for i in 0 to 2 generate
+    lane_edge(i).lo <= lane_difference_d1(i).lo(17 downto 0) when lane_edge_rounding_at_5 = '1' else
+        lane_difference_d1(i).lo(18 downto 1);
+    lane_edge(i).hi <= lane_difference_d1(i).hi(17 downto 0) when lane_edge_rounding_at_5 = '1' else
+        lane_edge_hi_second_up_d1(i)(17 downto 0);
+  end generate lane_edge_lo_each;
   scaled_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => scaled_d2(i), number => scaled_case(i));
@@ -671,27 +468,27 @@ begin
   end generate lane_edge_case_unit;
   axis_e_lo_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_18
-      port map (clk => clk, x => lane_edge(i).lo, tap => axis_e_lo_line_tap(i), y => axis_e(i).lo);
+      port map (clk => clk, x => lane_edge(i).lo, tap => axis_e_select_tap_at_10, y => axis_e(i).lo);
   end generate axis_e_lo_line;
   axis_e_hi_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_18
-      port map (clk => clk, x => lane_edge(i).hi, tap => axis_e_hi_line_tap(i), y => axis_e(i).hi);
+      port map (clk => clk, x => lane_edge(i).hi, tap => axis_e_select_tap_at_10, y => axis_e(i).hi);
   end generate axis_e_hi_line;
   axis_e_case_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_u2
-      port map (clk => clk, x => lane_edge_case(i), tap => axis_e_case_line_tap(i), y => axis_e_case(i));
+      port map (clk => clk, x => lane_edge_case(i), tap => axis_e_select_tap_at_10, y => axis_e_case(i));
   end generate axis_e_case_line;
   axis_f_lo_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_18
-      port map (clk => clk, x => lane_edge(i).lo, tap => axis_f_lo_line_tap(i), y => axis_f(i).lo);
+      port map (clk => clk, x => lane_edge(i).lo, tap => axis_f_select_tap_at_10, y => axis_f(i).lo);
   end generate axis_f_lo_line;
   axis_f_hi_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_18
-      port map (clk => clk, x => lane_edge(i).hi, tap => axis_f_hi_line_tap(i), y => axis_f(i).hi);
+      port map (clk => clk, x => lane_edge(i).hi, tap => axis_f_select_tap_at_10, y => axis_f(i).hi);
   end generate axis_f_hi_line;
   axis_f_case_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_u2
-      port map (clk => clk, x => lane_edge_case(i), tap => axis_f_case_line_tap(i), y => axis_f_case(i));
+      port map (clk => clk, x => lane_edge_case(i), tap => axis_f_select_tap_at_10, y => axis_f_case(i));
   end generate axis_f_case_line;
 
   -- Clock 33
@@ -704,50 +501,32 @@ begin
       axis_f_case_d1 <= axis_f_case;
     end if;
   end process clock_33;
-  axis0_v_lo1_line_tap(0) <= axis0_v1_1_select_tap_at_7;
-  axis0_v_lo1_line_tap(1) <= axis0_v1_1_select_tap_at_7;
-  axis0_v_lo1_line_tap(2) <= axis0_v1_1_select_tap_at_7_copy;
-  axis0_v_lo2_line_tap(0) <= axis0_v2_1_select_tap_at_7;
-  axis0_v_lo2_line_tap(1) <= axis0_v2_1_select_tap_at_7;
-  axis0_v_lo2_line_tap(2) <= axis0_v2_1_select_tap_at_7_copy;
-  axis0_v_hi1_line_tap(0) <= axis0_v1_1_select_tap_at_7;
-  axis0_v_hi1_line_tap(1) <= axis0_v1_1_select_tap_at_7_copy;
-  axis0_v_hi1_line_tap(2) <= axis0_v1_1_select_tap_at_7_copy;
-  axis0_v_hi2_line_tap(0) <= axis0_v2_1_select_tap_at_7;
-  axis0_v_hi2_line_tap(1) <= axis0_v2_1_select_tap_at_7_copy;
-  axis0_v_hi2_line_tap(2) <= axis0_v2_1_select_tap_at_7_copy;
-  axis0_v1_case_line_tap(0) <= axis0_v1_1_select_tap_at_7;
-  axis0_v1_case_line_tap(1) <= axis0_v1_1_select_tap_at_7_copy;
-  axis0_v1_case_line_tap(2) <= axis0_v1_1_select_tap_at_7_copy;
-  axis0_v2_case_line_tap(0) <= axis0_v2_1_select_tap_at_7;
-  axis0_v2_case_line_tap(1) <= axis0_v2_1_select_tap_at_7_copy;
-  axis0_v2_case_line_tap(2) <= axis0_v2_1_select_tap_at_7_copy;
   axis_exact_unit : entity work.cross_product
     port map (clk => clk, e => axis_e_d1, e_case => axis_e_case_d1, f => axis_f_d1, f_case => axis_f_case_d1,
               l => axis_exact);
   axis0_v_lo1_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_line(6)(i).lo, tap => axis0_v_lo1_line_tap(i), y => axis0_v(1)(i).lo);
+      port map (clk => clk, x => scaled_line(6)(i).lo, tap => axis0_v1_1_select_tap_at_7, y => axis0_v(1)(i).lo);
   end generate axis0_v_lo1_line;
   axis0_v_lo2_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_d9(i).lo, tap => axis0_v_lo2_line_tap(i), y => axis0_v(2)(i).lo);
+      port map (clk => clk, x => scaled_d9(i).lo, tap => axis0_v2_1_select_tap_at_7, y => axis0_v(2)(i).lo);
   end generate axis0_v_lo2_line;
   axis0_v_hi1_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_line(6)(i).hi, tap => axis0_v_hi1_line_tap(i), y => axis0_v(1)(i).hi);
+      port map (clk => clk, x => scaled_line(6)(i).hi, tap => axis0_v1_1_select_tap_at_7, y => axis0_v(1)(i).hi);
   end generate axis0_v_hi1_line;
   axis0_v_hi2_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_d9(i).hi, tap => axis0_v_hi2_line_tap(i), y => axis0_v(2)(i).hi);
+      port map (clk => clk, x => scaled_d9(i).hi, tap => axis0_v2_1_select_tap_at_7, y => axis0_v(2)(i).hi);
   end generate axis0_v_hi2_line;
   axis0_v1_case_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_u2
-      port map (clk => clk, x => scaled_case_line(6)(i), tap => axis0_v1_case_line_tap(i), y => axis0_v_case(1)(i));
+      port map (clk => clk, x => scaled_case_line(6)(i), tap => axis0_v1_1_select_tap_at_7, y => axis0_v_case(1)(i));
   end generate axis0_v1_case_line;
   axis0_v2_case_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_u2
-      port map (clk => clk, x => scaled_case_d7(i), tap => axis0_v2_case_line_tap(i), y => axis0_v_case(2)(i));
+      port map (clk => clk, x => scaled_case_d7(i), tap => axis0_v2_1_select_tap_at_7, y => axis0_v_case(2)(i));
   end generate axis0_v2_case_line;
 
   -- Clock 34
@@ -776,22 +555,13 @@ begin
       axis_l_d1 <= axis_l;
     end if;
   end process clock_40;
-  axis0_v(0)(0).lo <= v1_h16(0).lo when axis0_v0_select_at_7 = '1' else v0_lo(0);
-  axis0_v(0)(0).hi <= v1_h16(0).hi when axis0_v0_select_at_7 = '1' else v0_hi_h14(0);
-  axis0_v(0)(1).lo <= v1_h16(1).lo when axis0_v0_select_at_7 = '1' else v0_lo(1);
-  axis0_v(0)(1).hi <= v1_h16(1).hi when axis0_v0_select_at_7_copy = '1' else v0_hi_h14(1);
-  axis0_v(0)(2).lo <= v1_h16(2).lo when axis0_v0_select_at_7_copy = '1' else v0_lo(2);
-  axis0_v(0)(2).hi <= v1_h16(2).hi when axis0_v0_select_at_7_copy = '1' else v0_hi_h14(2);
-  axis0_v(3)(0) <= w1_h11(0) when axis0_v3_select_at_7 = '1' else w0_h10(0);
-  axis0_v(3)(1).lo <= w1_h11(1).lo when axis0_v3_select_at_7 = '1' else w0_h10(1).lo;
-  axis0_v(3)(1).hi <= w1_h11(1).hi when axis0_v3_select_at_7_copy = '1' else w0_h10(1).hi;
-  axis0_v(3)(2) <= w1_h11(2) when axis0_v3_select_at_7_copy = '1' else w0_h10(2);
-  axis0_v_case(0)(0) <= v1_case_h11(0) when axis0_v0_select_at_7 = '1' else v0_case(0);
-  axis0_v_case(0)(1) <= v1_case_h11(1) when axis0_v0_select_at_7_copy = '1' else v0_case(1);
-  axis0_v_case(0)(2) <= v1_case_h11(2) when axis0_v0_select_at_7_copy = '1' else v0_case(2);
-  axis0_v_case(3)(0) <= w1_case_h11(0) when axis0_v3_select_at_7 = '1' else w0_case_h8(0);
-  axis0_v_case(3)(1) <= w1_case_h11(1) when axis0_v3_select_at_7_copy = '1' else w0_case_h8(1);
-  axis0_v_case(3)(2) <= w1_case_h11(2) when axis0_v3_select_at_7_copy = '1' else w0_case_h8(2);
+  axis0_v_0_lo_each : for i in 0 to 2 generate
+    axis0_v(0)(i).lo <= v1_h16(i).lo when axis0_v0_select_at_7 = '1' else v0_lo(i);
+    axis0_v(0)(i).hi <= v1_h16(i).hi when axis0_v0_select_at_7 = '1' else v0_hi_h14(i);
+  end generate axis0_v_0_lo_each;
+  axis0_v(3) <= w1_h11 when axis0_v3_select_at_7 = '1' else w0_h10;
+  axis0_v_case(0) <= v1_case_h11 when axis0_v0_select_at_7 = '1' else v0_case;
+  axis0_v_case(3) <= w1_case_h11 when axis0_v3_select_at_7 = '1' else w0_case_h8;
   axis_l_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => axis_l_d1(i), number => axis_l_case(i));
@@ -856,12 +626,9 @@ begin
         row_diagonal_at_0(1) <= row_diagonal_at_0_1_table(to_integer(known(phase)));
         row_diagonal_at_0(2) <= row_diagonal_at_0_2_table(to_integer(known(phase)));
         row_x_select_at_0 <= to_unsigned(row_x_select_at_0_table(to_integer(known(phase))), 2);
-        row_x0_select_at_0_copy <= to_unsigned(row_x_select_at_0_table(to_integer(known(phase))), 2);
-        row_t_pose0_select_at_0_copy <= to_unsigned(row_t_pose_select_at_0_table(to_integer(known(phase))), 2);
       end if;
       if busy_10 = '1' then
         lane_input_select_at_10 <= to_unsigned(lane_input_select_at_10_table(to_integer(known(phase))), 2);
-        lane_input0_select_at_10_copy <= to_unsigned(lane_input_select_at_10_table(to_integer(known(phase))), 2);
       end if;
       if busy_12 = '1' then
         lane2_operand_select_tap_at_1 <= to_unsigned(lane2_operand_select_tap_at_1_table(to_integer(known(phase))), 4);
@@ -869,18 +636,12 @@ begin
         lane_from_input_at_1 <= lane_from_input_at_1_table(to_integer(known(phase)));
         outside_found_word_and_second_select_at_1 <=
             outside_found_word_and_second_select_at_1_table(to_integer(known(phase)));
-        for k in 0 to 1 loop
-          lane_from_input0_at_1_copy(k) <= lane_from_input_at_1_table(to_integer(known(phase)));
-        end loop;
-        lane0_2_operand_select_tap_at_1_copy <=
-            to_unsigned(lane2_operand_select_tap_at_1_table(to_integer(known(phase))), 4);
       end if;
       if busy_13 = '1' then
         axis0_has_b2_at_2 <= axis0_has_b2_at_2_table(to_integer(known(phase)));
       end if;
       if busy_27 = '1' then
         lane_edge_rounding_at_5 <= lane_edge_rounding_at_5_table(to_integer(known(phase)));
-        lane_edge_rounding_at_5_copy <= lane_edge_rounding_at_5_table(to_integer(known(phase)));
       end if;
       if busy_2 = '1' then
         outside_found_word_and_first_select_at_2 <=
@@ -892,18 +653,12 @@ begin
       if busy_32 = '1' then
         axis_e_select_tap_at_10 <= to_unsigned(axis_e_select_tap_at_10_table(to_integer(known(phase))), 4);
         axis_f_select_tap_at_10 <= to_unsigned(axis_f_select_tap_at_10_table(to_integer(known(phase))), 4);
-        axis_f0_select_tap_at_10_copy <= to_unsigned(axis_f_select_tap_at_10_table(to_integer(known(phase))), 4);
-        axis_e0_select_tap_at_10_copy <= to_unsigned(axis_e_select_tap_at_10_table(to_integer(known(phase))), 4);
       end if;
       if busy_40 = '1' then
         axis0_v0_select_at_7 <= axis0_v0_select_at_7_table(to_integer(known(phase)));
         axis0_v3_select_at_7 <= axis0_v3_select_at_7_table(to_integer(known(phase)));
         axis0_v1_1_select_tap_at_7 <= to_unsigned(axis0_v1_1_select_tap_at_7_table(to_integer(known(phase))), 4);
         axis0_v2_1_select_tap_at_7 <= to_unsigned(axis0_v2_1_select_tap_at_7_table(to_integer(known(phase))), 4);
-        axis0_v3_select_at_7_copy <= axis0_v3_select_at_7_table(to_integer(known(phase)));
-        axis0_v2_1_select_tap_at_7_copy <= to_unsigned(axis0_v2_1_select_tap_at_7_table(to_integer(known(phase))), 4);
-        axis0_v1_1_select_tap_at_7_copy <= to_unsigned(axis0_v1_1_select_tap_at_7_table(to_integer(known(phase))), 4);
-        axis0_v0_select_at_7_copy <= axis0_v0_select_at_7_table(to_integer(known(phase)));
       end if;
       if busy_45 = '1' then
         axis0_has_a1_at_1 <= axis0_has_a1_at_1_table(to_integer(known(phase)));
@@ -919,31 +674,29 @@ begin
   begin
     if rising_edge(clk) then
       if strobe(9) = '1' then
-        in_v0_inside_h9(0) <= in_v0_inside(0);
-        in_v0_inside_h9(1) <= in_v0_inside(1);
-      end if;
-      if strobe9_copy(0) = '1' then
-        in_v0_inside_h9(2) <= in_v0_inside(2);
-        magnitudes(0) <= magnitude_so_far(0);
+        in_v0_inside_h9 <= in_v0_inside;
+        magnitudes <= magnitude_so_far;
+        v1_h16 <= v1_h11;
+        pierced_result_v_above(0) <= axis0_above(0);
+        pierced_result_v_above(1) <= axis0_above(3);
+        pierced_result_v_above(2) <= axis0_above(5);
+        pierced_result_v_below(0) <= axis0_below(0);
+        pierced_result_v_below(1) <= axis0_below(3);
+        pierced_result_v_below(2) <= axis0_below(5);
+        separated_i(1) <= axis_counts_separated;
+        overlapping_i(1) <= axis_counts_overlapping;
       end if;
       if strobe(10) = '1' then
-        in_v1_h11(0) <= in_v(1)(0);
-        in_v2_h11(0) <= in_v(2)(0);
-      end if;
-      if strobe10_copy(0) = '1' then
-        in_v1_h11(1) <= in_v(1)(1);
-        in_v2_h11(1) <= in_v(2)(1);
-      end if;
-      if strobe10_copy(1) = '1' then
-        in_v1_h11(2) <= in_v(1)(2);
-        in_v2_h11(2) <= in_v(2)(2);
+        in_v1_h11 <= in_v(1);
+        in_v2_h11 <= in_v(2);
+        w1_case_h11 <= w_case(1);
+        pierced_result_edges_above(0)(2) <= axis0_above(1);
+        pierced_result_edges_below(0)(2) <= axis0_below(1);
+        separated_i(4) <= axis_counts_separated;
+        overlapping_i(4) <= axis_counts_overlapping;
       end if;
       if strobe(0) = '1' then
-        in_v0_inside_h11(0) <= in_v0_inside(0);
-        in_v0_inside_h11(1) <= in_v0_inside(1);
-      end if;
-      if strobe0_copy = '1' then
-        in_v0_inside_h11(2) <= in_v0_inside(2);
+        in_v0_inside_h11 <= in_v0_inside;
         outside_in_phases <= outside_so_far;
         in_v0_outside_h11 <= in_v0_outside;
         in_v0_outside_h22 <= in_v0_outside_h11;
@@ -959,11 +712,7 @@ begin
         outside_h33 <= outside_h22;
       end if;
       if strobe(1) = '1' then
-        in_v0_inside_h12(0) <= in_v0_inside_h11(0);
-        in_v0_inside_h12(1) <= in_v0_inside_h11(1);
-      end if;
-      if strobe1_copy = '1' then
-        in_v0_inside_h12(2) <= in_v0_inside_h11(2);
+        in_v0_inside_h12 <= in_v0_inside_h11;
         pierced_result_edges_above(2)(2) <= axis0_above(4);
         pierced_result_edges_below(2)(2) <= axis0_below(4);
         outside_h23 <= outside_h22;
@@ -971,41 +720,19 @@ begin
         overlapping_i(10) <= axis_counts_overlapping;
         pierced_not_h34 <= pierced_not_h33;
       end if;
-      if strobe9_copy(1) = '1' then
-        magnitudes(1) <= magnitude_so_far(1);
-        magnitudes(2) <= magnitude_so_far(2);
-      end if;
       if strobe(3) = '1' then
-        v0_hi(0) <= scaled(0).hi;
-        v0_hi(1) <= scaled(1).hi;
-        v0_hi_h11(0) <= v0_hi(0);
-      end if;
-      if strobe3_copy = '1' then
-        v0_hi(2) <= scaled(2).hi;
-        v0_hi_h11(1) <= v0_hi(1);
-        v0_hi_h11(2) <= v0_hi(2);
+        for i in 0 to 2 loop
+          v0_hi(i) <= scaled(i).hi;
+        end loop;
+        v0_hi_h11 <= v0_hi;
         pierced_result_edges_above(0)(0) <= axis0_above(0);
         pierced_result_edges_below(0)(0) <= axis0_below(0);
         separated_i(2) <= axis_counts_separated;
         overlapping_i(2) <= axis_counts_overlapping;
       end if;
       if strobe(4) = '1' then
-        v1(0) <= scaled(0);
-        v1_h11(0).lo <= v1(0).lo;
-      end if;
-      if strobe4_copy(0) = '1' then
-        v1(1).lo <= scaled(1).lo;
-        v1_h11(0).hi <= v1(0).hi;
-        v1_h11(1).lo <= v1(1).lo;
-      end if;
-      if strobe4_copy(1) = '1' then
-        v1(1).hi <= scaled(1).hi;
-        v1(2).lo <= scaled(2).lo;
-        v1_h11(1).hi <= v1(1).hi;
-      end if;
-      if strobe4_copy(2) = '1' then
-        v1(2).hi <= scaled(2).hi;
-        v1_h11(2) <= v1(2);
+        v1 <= scaled;
+        v1_h11 <= v1;
         pierced_result_edges_above(1)(0) <= axis0_above(3);
         pierced_result_edges_below(1)(0) <= axis0_below(3);
         separated_i(5) <= axis_counts_separated;
@@ -1013,89 +740,30 @@ begin
       end if;
       if strobe(6) = '1' then
         v1_case <= scaled_case;
-        v0_hi_h14(0) <= v0_hi_h11(0);
-        v0_hi_h14(1) <= v0_hi_h11(1);
+        v0_hi_h14 <= v0_hi_h11;
         v1_case_h11 <= v1_case;
-      end if;
-      if strobe(7) = '1' then
-        w(0)(0) <= scaled(0);
-        w(0)(1).lo <= scaled(1).lo;
-      end if;
-      if strobe7_copy = '1' then
-        w(0)(1).hi <= scaled(1).hi;
-        w(0)(2) <= scaled(2);
-        pierced_result_edges_above(1)(1) <= axis0_above(4);
-        pierced_result_edges_below(1)(1) <= axis0_below(4);
-        separated_i(6) <= axis_counts_separated;
-        overlapping_i(6) <= axis_counts_overlapping;
-      end if;
-      if strobe(8) = '1' then
-        w(1)(0) <= scaled(0);
-        w1_h11(0).lo <= w(1)(0).lo;
-      end if;
-      if strobe8_copy(0) = '1' then
-        w(1)(1).lo <= scaled(1).lo;
-        w1_h11(0).hi <= w(1)(0).hi;
-        w1_h11(1).lo <= w(1)(1).lo;
-      end if;
-      if strobe8_copy(1) = '1' then
-        w(1)(1).hi <= scaled(1).hi;
-        w(1)(2).lo <= scaled(2).lo;
-        w1_h11(1).hi <= w(1)(1).hi;
-      end if;
-      if strobe8_copy(2) = '1' then
-        w(1)(2).hi <= scaled(2).hi;
-        w1_h11(2) <= w(1)(2);
-        pierced_result_edges_above(2)(1) <= axis0_above(4);
-        pierced_result_edges_below(2)(1) <= axis0_below(4);
-        separated_i(9) <= axis_counts_separated;
-        overlapping_i(9) <= axis_counts_overlapping;
-      end if;
-      if strobe9_copy(2) = '1' then
-        w_case(0) <= scaled_case;
-        v1_h16(0) <= v1_h11(0);
-        v1_h16(1).lo <= v1_h11(1).lo;
-      end if;
-      if strobe10_copy(2) = '1' then
-        w_case(1) <= scaled_case;
-        w1_case_h11 <= w_case(1);
-        pierced_result_edges_above(0)(2) <= axis0_above(1);
-        pierced_result_edges_below(0)(2) <= axis0_below(1);
-        separated_i(4) <= axis_counts_separated;
-        overlapping_i(4) <= axis_counts_overlapping;
-      end if;
-      if strobe9_copy(3) = '1' then
-        v1_h16(1).hi <= v1_h11(1).hi;
-        v1_h16(2) <= v1_h11(2);
-        pierced_result_v_above(0) <= axis0_above(0);
-        pierced_result_v_above(1) <= axis0_above(3);
-        pierced_result_v_above(2) <= axis0_above(5);
-        pierced_result_v_below(0) <= axis0_below(0);
-        pierced_result_v_below(1) <= axis0_below(3);
-        pierced_result_v_below(2) <= axis0_below(5);
-        separated_i(1) <= axis_counts_separated;
-        overlapping_i(1) <= axis_counts_overlapping;
-      end if;
-      if strobe6_copy(0) = '1' then
-        v0_hi_h14(2) <= v0_hi_h11(2);
-        w0_h10(0) <= w(0)(0);
-      end if;
-      if strobe6_copy(1) = '1' then
-        w0_h10(1) <= w(0)(1);
-        w0_h10(2).lo <= w(0)(2).lo;
-      end if;
-      if strobe6_copy(2) = '1' then
-        w0_h10(2).hi <= w(0)(2).hi;
+        w0_h10 <= w(0);
+        w0_case_h8 <= w_case(0);
         pierced_result_edges_above(0)(1) <= axis0_above(1);
         pierced_result_edges_below(0)(1) <= axis0_below(1);
         separated_i(3) <= axis_counts_separated;
         overlapping_i(3) <= axis_counts_overlapping;
       end if;
-      for i in 0 to 2 loop
-        if strobe6_copy(i) = '1' then
-          w0_case_h8(i) <= w_case(0)(i);
+      for k in 0 to 1 loop
+        if strobe(k + 7) = '1' then
+          w(k) <= scaled;
+        end if;
+        if strobe(k + 9) = '1' then
+          w_case(k) <= scaled_case;
         end if;
       end loop;
+      if strobe(8) = '1' then
+        w1_h11 <= w(1);
+        pierced_result_edges_above(2)(1) <= axis0_above(4);
+        pierced_result_edges_below(2)(1) <= axis0_below(4);
+        separated_i(9) <= axis_counts_separated;
+        overlapping_i(9) <= axis_counts_overlapping;
+      end if;
       if strobe(2) = '1' then
         for k in 0 to 2 loop
           pierced_result_w_above(k) <= axis0_above(k);
@@ -1110,6 +778,12 @@ begin
         separated0_h11 <= separated_i(0);
         overlapping0_h11 <= overlapping_i(0);
         outside <= outside_h33;
+      end if;
+      if strobe(7) = '1' then
+        pierced_result_edges_above(1)(1) <= axis0_above(4);
+        pierced_result_edges_below(1)(1) <= axis0_below(4);
+        separated_i(6) <= axis_counts_separated;
+        overlapping_i(6) <= axis_counts_overlapping;
       end if;
       if strobe(5) = '1' then
         pierced_result_edges_above(2)(0) <= axis0_above(3);

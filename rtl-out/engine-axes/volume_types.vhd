@@ -75,11 +75,6 @@ package volume_types is
   constant zero_row_u13_x18 : row_u13_x18_t := (others => zero_row_u13);
   type numbers_t is array (natural range <>) of integer;
 
-  -- Of registers that are copies, so that no net has too many loads: tools are not to merge them.
-  attribute keep : string;
-  attribute equivalent_register_removal : string;
-  attribute syn_preserve : boolean;
-
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
 

@@ -95,8 +95,6 @@ architecture rtl of efsat is
   signal control_take_address : unsigned(4 downto 0);
   signal control_pose_load : std_logic;
   signal control_pose_accept : std_logic;
-  signal last_phase : std_logic := '0';  -- set in phase 2
-  signal load_pair : std_logic;
   signal pair_v : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal pair_w : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal active_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
@@ -121,32 +119,11 @@ architecture rtl of efsat is
   signal tag_queue_words : tag_queue_words_t := (others => (others => '0'));
   signal tag_queue : unsigned(57 downto 0);  -- tags of the pairs accepted and not yet taken
   signal offered_tag : unsigned(57 downto 0) := (others => '0');
-  signal last_phase_copy : std_logic_vector(7 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal load_pair_copy : std_logic_vector(7 downto 0);  -- for at most 64 loads each
-  attribute keep of
-    last_phase,
-    load_pair,
-    last_phase_copy,
-    load_pair_copy : signal is "true";
-  attribute equivalent_register_removal of
-    last_phase,
-    load_pair,
-    last_phase_copy,
-    load_pair_copy : signal is "no";
-  attribute syn_preserve of
-    last_phase,
-    load_pair,
-    last_phase_copy,
-    load_pair_copy : signal is true;
 begin
-  load_pair <= in_valid and last_phase;
   result_word <= path_outside & unsigned(path_overlapping) & unsigned(path_separated) & path_verdict;
   offered_verdict <= offered_word(1 downto 0);
   offered_separated <= offered_word(10 downto 2);
   offered_overlapping <= offered_word(19 downto 11);
-  load_pair_copy_each : for k in 0 to 7 generate
-    load_pair_copy(k) <= in_valid and last_phase_copy(k);
-  end generate load_pair_copy_each;
   out_outside <= offered_word(20);
   control : entity work.sequencer
     port map (clk => clk, reset => reset, in_valid => in_valid, pose_valid => pose_valid, out_ready => out_ready,
@@ -164,39 +141,23 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if load_pair = '1' then
+      if control_accept = '1' then
         pair_v(0)(0) <= signed(in_v0_x);
         pair_v(0)(1) <= signed(in_v0_y);
-      end if;
-      if load_pair_copy(0) = '1' then
         pair_v(0)(2) <= signed(in_v0_z);
         pair_v(1)(0) <= signed(in_v1_x);
-      end if;
-      if load_pair_copy(1) = '1' then
         pair_v(1)(1) <= signed(in_v1_y);
         pair_v(1)(2) <= signed(in_v1_z);
-      end if;
-      if load_pair_copy(2) = '1' then
         pair_v(2)(0) <= signed(in_v2_x);
         pair_v(2)(1) <= signed(in_v2_y);
-      end if;
-      if load_pair_copy(3) = '1' then
         pair_v(2)(2) <= signed(in_v2_z);
         pair_w(0)(0) <= signed(in_w0_x);
-      end if;
-      if load_pair_copy(4) = '1' then
         pair_w(0)(1) <= signed(in_w0_y);
         pair_w(0)(2) <= signed(in_w0_z);
-      end if;
-      if load_pair_copy(5) = '1' then
         pair_w(1)(0) <= signed(in_w1_x);
         pair_w(1)(1) <= signed(in_w1_y);
-      end if;
-      if load_pair_copy(6) = '1' then
         pair_w(1)(2) <= signed(in_w1_z);
         pair_w(2)(0) <= signed(in_w2_x);
-      end if;
-      if load_pair_copy(7) = '1' then
         pair_w(2)(1) <= signed(in_w2_y);
         pair_w(2)(2) <= signed(in_w2_z);
       end if;
@@ -230,17 +191,6 @@ begin
   state : process (clk)
   begin
     if rising_edge(clk) then
-      if reset = '1' then
-        last_phase <= '0';
-        for k in 0 to 7 loop
-          last_phase_copy(k) <= '0';
-        end loop;
-      else
-        last_phase <= flag(known(control_phase) = 1);
-        for k in 0 to 7 loop
-          last_phase_copy(k) <= flag(known(control_phase) = 1);
-        end loop;
-      end if;
       if reset = '1' then
         active_bypass <= '1';
       elsif control_pose_load = '1' then

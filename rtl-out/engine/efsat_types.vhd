@@ -64,8 +64,6 @@ package efsat_types is
   type signed_31_x5_t is array (0 to 4) of signed(30 downto 0);
   type signed_33_x5_t is array (0 to 4) of signed(32 downto 0);
   type signed_41_x5_t is array (0 to 4) of signed(40 downto 0);
-  type unsigned_2_x7_t is array (0 to 6) of unsigned(1 downto 0);
-  constant zero_unsigned_2_x7 : unsigned_2_x7_t := (others => (others => '0'));
   type unsigned_21_x9_t is array (0 to 8) of unsigned(20 downto 0);
   constant zero_unsigned_21_x9 : unsigned_21_x9_t := (others => (others => '0'));
   type unsigned_29_x9_t is array (0 to 8) of unsigned(28 downto 0);
@@ -74,10 +72,6 @@ package efsat_types is
   constant zero_signed_34_x9 : signed_34_x9_t := (others => (others => '0'));
   type signed_20_x12_t is array (0 to 11) of signed(19 downto 0);
   constant zero_signed_20_x12 : signed_20_x12_t := (others => (others => '0'));
-  type unsigned_2_x14_t is array (0 to 13) of unsigned(1 downto 0);
-  constant zero_unsigned_2_x14 : unsigned_2_x14_t := (others => (others => '0'));
-  type unsigned_2_x15_t is array (0 to 14) of unsigned(1 downto 0);
-  constant zero_unsigned_2_x15 : unsigned_2_x15_t := (others => (others => '0'));
   type signed_31_x15_t is array (0 to 14) of signed(30 downto 0);
   type signed_41_x15_t is array (0 to 14) of signed(40 downto 0);
   type unsigned_18_vector_t is array (0 to 2) of unsigned(17 downto 0);
@@ -129,13 +123,7 @@ package efsat_types is
   constant zero_flag_x4_vector : flag_x4_vector_t := (others => (others => '0'));
   type signed_19_x5_vector_t is array (0 to 2) of signed_19_x5_t;
   type signed_33_x5_vector_t is array (0 to 2) of signed_33_x5_t;
-  type flag_x4_vector_x2_t is array (0 to 1) of flag_x4_vector_t;
   type numbers_t is array (natural range <>) of integer;
-
-  -- Of registers that are copies, so that no net has too many loads: tools are not to merge them.
-  attribute keep : string;
-  attribute equivalent_register_removal : string;
-  attribute syn_preserve : boolean;
 
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;

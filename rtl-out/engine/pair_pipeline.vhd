@@ -603,23 +603,8 @@ architecture rtl of pair_pipeline is
   signal busy_21 : std_logic := '0';  -- set in clocks 20 to 22 of a pair
   signal busy_29 : std_logic := '0';  -- set in clocks 28 to 30 of a pair
   signal busy_26_or_busy_29 : std_logic;
-  signal level_h4_d1_copy : unsigned(2 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal places_d1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal lane1_select_at_2_copy : std_logic_vector(4 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal lane1_select_at_1_copy : std_logic_vector(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_z0_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal strobe1_copy : std_logic_vector(39 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal shift_y0_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal shift_x0_h1_copy : std_logic := '0';  -- for at most 64 loads each
-  signal row_m0_select_at_1_copy : unsigned_2_x15_t := zero_unsigned_2_x15;  -- for at most 64 loads each
-  signal pose_bypass_h7_copy : std_logic := '0';  -- for at most 64 loads each
-  signal strobe0_copy : std_logic_vector(53 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal row_m0_select_at_0_copy : unsigned_2_x7_t := zero_unsigned_2_x7;  -- for at most 64 loads each
-  signal row_m0_select_at_2_copy : unsigned_2_x14_t := zero_unsigned_2_x14;  -- for at most 64 loads each
-  signal strobe2_copy : std_logic_vector(45 downto 0) := (others => '0');  -- for at most 64 loads each
   signal row_turned_unit_m : signed_32_vector_x3_t;
   signal shift_unit_x : signed_33_x5_vector_t;
-  signal lane_shifted_unit_shift : flag_x4_vector_x2_t;
   signal carried_unit_cut : signed_19_x5_vector_t;
   signal dot_lane_unit_x : signed_18_vector_x4_t;
   signal dot_lane_unit_m : signed_18_vector_x4_t;
@@ -635,7 +620,6 @@ architecture rtl of pair_pipeline is
   signal length_measure0_plane_a0_unit_plane_b : unsigned_27_x2_t;
   signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
   signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
-  signal length_first_unit_by : unsigned_3_x3_t;
   signal sign_lane_unit_x : signed_41_x5_t;
   signal sign_lane_unit_bound : signed_31_x5_t;
   signal separated3_result_unit_ends : flag_x2_x2_t;
@@ -652,81 +636,6 @@ architecture rtl of pair_pipeline is
   signal separated8_result_unit_sides : flag_x2_x3_t;
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
-  attribute keep of
-    strobe,
-    row_m_select_at_2,
-    row_m_select_at_0,
-    pose_bypass_h7,
-    row_m_select_at_1,
-    shift_h1,
-    lane1_select_at_1,
-    lane1_select_at_2,
-    places_d1,
-    level_h4_d1,
-    level_h4_d1_copy,
-    places_d1_copy,
-    lane1_select_at_2_copy,
-    lane1_select_at_1_copy,
-    shift_z0_h1_copy,
-    strobe1_copy,
-    shift_y0_h1_copy,
-    shift_x0_h1_copy,
-    row_m0_select_at_1_copy,
-    pose_bypass_h7_copy,
-    strobe0_copy,
-    row_m0_select_at_0_copy,
-    row_m0_select_at_2_copy,
-    strobe2_copy : signal is "true";
-  attribute equivalent_register_removal of
-    strobe,
-    row_m_select_at_2,
-    row_m_select_at_0,
-    pose_bypass_h7,
-    row_m_select_at_1,
-    shift_h1,
-    lane1_select_at_1,
-    lane1_select_at_2,
-    places_d1,
-    level_h4_d1,
-    level_h4_d1_copy,
-    places_d1_copy,
-    lane1_select_at_2_copy,
-    lane1_select_at_1_copy,
-    shift_z0_h1_copy,
-    strobe1_copy,
-    shift_y0_h1_copy,
-    shift_x0_h1_copy,
-    row_m0_select_at_1_copy,
-    pose_bypass_h7_copy,
-    strobe0_copy,
-    row_m0_select_at_0_copy,
-    row_m0_select_at_2_copy,
-    strobe2_copy : signal is "no";
-  attribute syn_preserve of
-    strobe,
-    row_m_select_at_2,
-    row_m_select_at_0,
-    pose_bypass_h7,
-    row_m_select_at_1,
-    shift_h1,
-    lane1_select_at_1,
-    lane1_select_at_2,
-    places_d1,
-    level_h4_d1,
-    level_h4_d1_copy,
-    places_d1_copy,
-    lane1_select_at_2_copy,
-    lane1_select_at_1_copy,
-    shift_z0_h1_copy,
-    strobe1_copy,
-    shift_y0_h1_copy,
-    shift_x0_h1_copy,
-    row_m0_select_at_1_copy,
-    pose_bypass_h7_copy,
-    strobe0_copy,
-    row_m0_select_at_0_copy,
-    row_m0_select_at_2_copy,
-    strobe2_copy : signal is true;
 begin
   -- Strobes, one per phase
   strobes : process (clk)
@@ -734,15 +643,6 @@ begin
     if rising_edge(clk) then
       for k in 0 to 2 loop
         strobe(k) <= flag(known(phase) = (k + 2) mod 3) and in_flight;
-      end loop;
-      for k in 0 to 39 loop
-        strobe1_copy(k) <= flag(known(phase) = 0) and in_flight;
-      end loop;
-      for k in 0 to 53 loop
-        strobe0_copy(k) <= flag(known(phase) = 2) and in_flight;
-      end loop;
-      for k in 0 to 45 loop
-        strobe2_copy(k) <= flag(known(phase) = 1) and in_flight;
       end loop;
     end if;
   end process strobes;
@@ -820,42 +720,14 @@ begin
   moved_each : for i in 0 to 2 generate
     moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v0_inside(i), 33);
   end generate moved_each;
-  row_w(0)(0) <=
-    in_w0_inside(0) when known(row_m_select_at_2) = 0 else
-    in_w1_inside(0) when known(row_m_select_at_2) = 1 else
-    in_w2_inside_h3(0);
-  row_w(0)(1) <=
-    in_w0_inside(1) when known(row_m_select_at_2) = 0 else
-    in_w1_inside(1) when known(row_m_select_at_2) = 1 else
-    in_w2_inside_h3(1);
-  row_w(0)(2) <=
-    in_w0_inside(2) when known(row_m0_select_at_2_copy(0)) = 0 else
-    in_w1_inside(2) when known(row_m0_select_at_2_copy(0)) = 1 else
-    in_w2_inside_h3(2);
-  row_w(1)(0) <=
-    in_w0_inside(0) when known(row_m0_select_at_2_copy(2)) = 0 else
-    in_w1_inside(0) when known(row_m0_select_at_2_copy(2)) = 1 else
-    in_w2_inside_h3(0);
-  row_w(1)(1) <=
-    in_w0_inside(1) when known(row_m0_select_at_2_copy(2)) = 0 else
-    in_w1_inside(1) when known(row_m0_select_at_2_copy(2)) = 1 else
-    in_w2_inside_h3(1);
-  row_w(1)(2) <=
-    in_w0_inside(2) when known(row_m0_select_at_2_copy(3)) = 0 else
-    in_w1_inside(2) when known(row_m0_select_at_2_copy(3)) = 1 else
-    in_w2_inside_h3(2);
-  row_w(2)(0) <=
-    in_w0_inside(0) when known(row_m0_select_at_2_copy(5)) = 0 else
-    in_w1_inside(0) when known(row_m0_select_at_2_copy(5)) = 1 else
-    in_w2_inside_h3(0);
-  row_w(2)(1) <=
-    in_w0_inside(1) when known(row_m0_select_at_2_copy(5)) = 0 else
-    in_w1_inside(1) when known(row_m0_select_at_2_copy(5)) = 1 else
-    in_w2_inside_h3(1);
-  row_w(2)(2) <=
-    in_w0_inside(2) when known(row_m0_select_at_2_copy(6)) = 0 else
-    in_w1_inside(2) when known(row_m0_select_at_2_copy(6)) = 1 else
-    in_w2_inside_h3(2);
+  row_w_each_of : for k in 0 to 2 generate
+    row_w_each : for i in 0 to 2 generate
+      row_w(k)(i) <=
+        in_w0_inside(i) when known(row_m_select_at_2) = 0 else
+        in_w1_inside(i) when known(row_m_select_at_2) = 1 else
+        in_w2_inside_h3(i);
+    end generate row_w_each;
+  end generate row_w_each_of;
   outside_flags <= unsigned(pose_m2_outside) & unsigned(pose_m1_outside) & unsigned(pose_m0_outside) &
       unsigned(pose_t_outside) & unsigned(in_w2_outside) & unsigned(in_w1_outside) & unsigned(in_w0_outside) &
       unsigned(in_v2_outside) & unsigned(in_v1_outside) & unsigned(in_v0_outside);
@@ -874,18 +746,10 @@ begin
       pose_m2_inside_d1 <= pose_m2_inside;
     end if;
   end process clock_3;
-  row_same(0) <=
-    in_w0_inside(0) when known(row_m_select_at_0) = 0 else
-    in_w1_inside_h3(0) when known(row_m_select_at_0) = 1 else
-    in_w2_inside_h3(0);
-  row_same(1) <=
-    in_w0_inside(1) when known(row_m_select_at_0) = 0 else
-    in_w1_inside_h3(1) when known(row_m_select_at_0) = 1 else
-    in_w2_inside_h3(1);
-  row_same(2) <=
-    in_w0_inside(2) when known(row_m0_select_at_0_copy(0)) = 0 else
-    in_w1_inside_h3(2) when known(row_m0_select_at_0_copy(0)) = 1 else
-    in_w2_inside_h3(2);
+  row_same <=
+    in_w0_inside when known(row_m_select_at_0) = 0 else
+    in_w1_inside_h3 when known(row_m_select_at_0) = 1 else
+    in_w2_inside_h3;
   row_turned_unit_m_0_each : for i in 0 to 2 generate
     row_turned_unit_m(0)(i) <= pose_m0_inside_d1(i);
     row_turned_unit_m(1)(i) <= pose_m1_inside_d1(i);
@@ -900,26 +764,20 @@ begin
   clock_8 : process (clk)
   begin
     if rising_edge(clk) then
-      row_choice_d1(0) <= choose(pose_bypass_h7, row_same_line(4)(0), row_turned(0));
-      row_choice_d1(1) <= choose(pose_bypass_h7, row_same_line(4)(1), row_turned(1));
-      row_choice_d1(2) <= choose(pose_bypass_h7_copy, row_same_line(4)(2), row_turned(2));
+      if pose_bypass_h7 = '1' then
+        row_choice_d1 <= row_same_line(4);
+      else
+        row_choice_d1 <= row_turned;
+      end if;
     end if;
   end process clock_8;
-  row_moved(0) <=
-    moved_h5(0) when known(row_m0_select_at_2_copy(1)) = 0 else
-    moved_h5(0) when known(row_m0_select_at_2_copy(1)) = 1 else
-    moved_h8(0);
-  row_moved(1) <=
-    moved_h5(1) when known(row_m0_select_at_2_copy(4)) = 0 else
-    moved_h5(1) when known(row_m0_select_at_2_copy(4)) = 1 else
-    moved_h8(1);
-  row_moved(2) <=
-    moved_h5(2) when known(row_m0_select_at_2_copy(7)) = 0 else
-    moved_h5(2) when known(row_m0_select_at_2_copy(7)) = 1 else
-    moved_h8(2);
-  row_each : for k in 0 to 2 generate
+  row_moved_each : for k in 0 to 2 generate
+    row_moved(k) <=
+      moved_h5(k) when known(row_m_select_at_2) = 0 else
+      moved_h5(k) when known(row_m_select_at_2) = 1 else
+      moved_h8(k);
     row(k) <= resize(row_choice_d1(k), 34) + resize(row_moved(k), 34);
-  end generate row_each;
+  end generate row_moved_each;
 
   -- Clock 9
   difference_w0_each : for i in 0 to 2 generate
@@ -946,21 +804,11 @@ begin
   end generate shift_unit;
 
   -- Clock 13
-  lane(0)(0) <=
-    difference_v1_h10(0) when known(row_m_select_at_1) = 0 else
-    difference_w0_h3(0) when known(row_m_select_at_1) = 1 else
-    difference_w2_h3(0);
-  lane(0)(1) <=
-    difference_v1_h10(1) when known(row_m0_select_at_1_copy(0)) = 0 else
-    difference_w0_h3(1) when known(row_m0_select_at_1_copy(0)) = 1 else
-    difference_w2_h3(1);
-  lane(0)(2) <=
-    difference_v1_h10(2) when known(row_m0_select_at_1_copy(1)) = 0 else
-    difference_w0_h3(2) when known(row_m0_select_at_1_copy(1)) = 1 else
-    difference_w2_h3(2);
-  lane(1)(0) <= difference_w1_h3(0) when lane1_select_at_1 = '1' else difference_v2_h10(0);
-  lane(1)(1) <= difference_w1_h3(1) when lane1_select_at_1_copy(0) = '1' else difference_v2_h10(1);
-  lane(1)(2) <= difference_w1_h3(2) when lane1_select_at_1_copy(1) = '1' else difference_v2_h10(2);
+  lane(0) <=
+    difference_v1_h10 when known(row_m_select_at_1) = 0 else
+    difference_w0_h3 when known(row_m_select_at_1) = 1 else
+    difference_w2_h3;
+  lane(1) <= difference_w1_h3 when lane1_select_at_1 = '1' else difference_v2_h10;
 
   -- Clock 14
   clock_14 : process (clk)
@@ -969,22 +817,9 @@ begin
       lane_d1 <= lane;
     end if;
   end process clock_14;
-  lane_shifted_unit_shift(0) <= shift_h1;
-  lane_shifted_unit_shift(1)(0)(0) <= shift_x0_h1_copy;
-  lane_shifted_unit_shift(1)(0)(1) <= shift_h1(0)(1);
-  lane_shifted_unit_shift(1)(0)(2) <= shift_h1(0)(2);
-  lane_shifted_unit_shift(1)(0)(3) <= shift_h1(0)(3);
-  lane_shifted_unit_shift(1)(1)(0) <= shift_y0_h1_copy;
-  lane_shifted_unit_shift(1)(1)(1) <= shift_h1(1)(1);
-  lane_shifted_unit_shift(1)(1)(2) <= shift_h1(1)(2);
-  lane_shifted_unit_shift(1)(1)(3) <= shift_h1(1)(3);
-  lane_shifted_unit_shift(1)(2)(0) <= shift_z0_h1_copy;
-  lane_shifted_unit_shift(1)(2)(1) <= shift_h1(2)(1);
-  lane_shifted_unit_shift(1)(2)(2) <= shift_h1(2)(2);
-  lane_shifted_unit_shift(1)(2)(3) <= shift_h1(2)(3);
   lane_shifted_unit : for k in 0 to 1 generate
     unit : entity work.coordinate_scale
-      port map (x => lane_d1(k), shift => lane_shifted_unit_shift(k), cut => lane_shifted(k));
+      port map (x => lane_d1(k), shift => shift_h1, cut => lane_shifted(k));
   end generate lane_shifted_unit;
 
   -- Clock 17
@@ -1008,68 +843,68 @@ begin
   axis_level0_resized_less_choice <= axis_level(1) when
       less(signed(resize(axis_level(0), 4)), signed(resize(axis_level(1), 4))) = '1' else axis_level(0);
   moment_plus(0)(0) <=
-    coordinate_w0(1) when known(row_m0_select_at_0_copy(0)) = 0 else
-    coordinate_w1(2) when known(row_m0_select_at_0_copy(0)) = 1 else
+    coordinate_w0(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w1(2) when known(row_m_select_at_0) = 1 else
     coordinate_w2(0);
   moment_plus(0)(1) <=
-    coordinate_w1(2) when known(row_m0_select_at_0_copy(1)) = 0 else
-    coordinate_w2(0) when known(row_m0_select_at_0_copy(1)) = 1 else
+    coordinate_w1(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(0) when known(row_m_select_at_0) = 1 else
     coordinate_w0(1);
   moment_plus(1)(0) <=
-    coordinate_w0(2) when known(row_m0_select_at_0_copy(2)) = 0 else
-    coordinate_w1(0) when known(row_m0_select_at_0_copy(2)) = 1 else
+    coordinate_w0(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w1(0) when known(row_m_select_at_0) = 1 else
     coordinate_v1(1);
   moment_plus(1)(1) <=
-    coordinate_w1(0) when known(row_m0_select_at_0_copy(2)) = 0 else
-    coordinate_w2(1) when known(row_m0_select_at_0_copy(2)) = 1 else
+    coordinate_w1(0) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(1) when known(row_m_select_at_0) = 1 else
     coordinate_v2(2);
   moment_plus(2)(0) <=
-    coordinate_w0(0) when known(row_m0_select_at_0_copy(3)) = 0 else
-    coordinate_w2(1) when known(row_m0_select_at_0_copy(3)) = 1 else
+    coordinate_w0(0) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(1) when known(row_m_select_at_0) = 1 else
     coordinate_v1(2);
   moment_plus(2)(1) <=
-    coordinate_w1(1) when known(row_m0_select_at_0_copy(3)) = 0 else
-    coordinate_w0(2) when known(row_m0_select_at_0_copy(3)) = 1 else
+    coordinate_w1(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w0(2) when known(row_m_select_at_0) = 1 else
     coordinate_v2(0);
   moment_plus(3)(0) <=
-    coordinate_w1(1) when known(row_m0_select_at_0_copy(4)) = 0 else
-    coordinate_w2(2) when known(row_m0_select_at_0_copy(4)) = 1 else
+    coordinate_w1(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(2) when known(row_m_select_at_0) = 1 else
     coordinate_v1(0);
   moment_plus(3)(1) <=
-    coordinate_w2(2) when known(row_m0_select_at_0_copy(5)) = 0 else
-    coordinate_w0(0) when known(row_m0_select_at_0_copy(5)) = 1 else
+    coordinate_w2(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w0(0) when known(row_m_select_at_0) = 1 else
     coordinate_v2(1);
   moment_minus(0)(0) <=
-    coordinate_w0(2) when known(row_m0_select_at_0_copy(1)) = 0 else
-    coordinate_w1(0) when known(row_m0_select_at_0_copy(1)) = 1 else
+    coordinate_w0(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w1(0) when known(row_m_select_at_0) = 1 else
     coordinate_w2(1);
   moment_minus(0)(1) <=
-    coordinate_w1(1) when known(row_m0_select_at_0_copy(1)) = 0 else
-    coordinate_w2(2) when known(row_m0_select_at_0_copy(1)) = 1 else
+    coordinate_w1(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(2) when known(row_m_select_at_0) = 1 else
     coordinate_w0(0);
   moment_minus(1)(0) <=
-    coordinate_w0(0) when known(row_m0_select_at_0_copy(2)) = 0 else
-    coordinate_w1(1) when known(row_m0_select_at_0_copy(2)) = 1 else
+    coordinate_w0(0) when known(row_m_select_at_0) = 0 else
+    coordinate_w1(1) when known(row_m_select_at_0) = 1 else
     coordinate_v1(2);
   moment_minus(1)(1) <=
-    coordinate_w1(2) when known(row_m0_select_at_0_copy(3)) = 0 else
-    coordinate_w2(0) when known(row_m0_select_at_0_copy(3)) = 1 else
+    coordinate_w1(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(0) when known(row_m_select_at_0) = 1 else
     coordinate_v2(1);
   moment_minus(2)(0) <=
-    coordinate_w0(1) when known(row_m0_select_at_0_copy(4)) = 0 else
-    coordinate_w2(2) when known(row_m0_select_at_0_copy(4)) = 1 else
+    coordinate_w0(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(2) when known(row_m_select_at_0) = 1 else
     coordinate_v1(0);
   moment_minus(2)(1) <=
-    coordinate_w1(0) when known(row_m0_select_at_0_copy(4)) = 0 else
-    coordinate_w0(1) when known(row_m0_select_at_0_copy(4)) = 1 else
+    coordinate_w1(0) when known(row_m_select_at_0) = 0 else
+    coordinate_w0(1) when known(row_m_select_at_0) = 1 else
     coordinate_v2(2);
   moment_minus(3)(0) <=
-    coordinate_w1(2) when known(row_m0_select_at_0_copy(5)) = 0 else
-    coordinate_w2(0) when known(row_m0_select_at_0_copy(5)) = 1 else
+    coordinate_w1(2) when known(row_m_select_at_0) = 0 else
+    coordinate_w2(0) when known(row_m_select_at_0) = 1 else
     coordinate_v1(1);
   moment_minus(3)(1) <=
-    coordinate_w2(1) when known(row_m0_select_at_0_copy(5)) = 0 else
-    coordinate_w0(2) when known(row_m0_select_at_0_copy(5)) = 1 else
+    coordinate_w2(1) when known(row_m_select_at_0) = 0 else
+    coordinate_w0(2) when known(row_m_select_at_0) = 1 else
     coordinate_v2(0);
   coordinate_w0_unit : entity work.coordinate_round
     port map (cut => coordinate_cut2_h2, carried => carried_h1, y => coordinate_w0);
@@ -1112,43 +947,19 @@ begin
     e_b(0)(i) <= resize(coordinate_w1_h4(i), 19) - resize(coordinate_w0_h4(i), 19);
     e_b(1)(i) <= resize(coordinate_w2_h4(i), 19) - resize(coordinate_w1_h4(i), 19);
     e_b(2)(i) <= resize(coordinate_w0_h4(i), 19) - resize(coordinate_w2_h4(i), 19);
+    norm_x(0)(i) <=
+      resize(coordinate_v1(i), 19) when known(row_m_select_at_1) = 0 else
+      norm_x0_resized_third_h3(i) when known(row_m_select_at_1) = 1 else
+      e_b(0)(i);
+    norm_x(1)(i) <=
+      resize(coordinate_v2(i), 19) when known(row_m_select_at_1) = 0 else
+      norm_x1_resized_third_h3(i) when known(row_m_select_at_1) = 1 else
+      e_b(1)(i);
   end generate e_b_0_each;
-  norm_x(0)(0) <=
-    resize(coordinate_v1(0), 19) when known(row_m0_select_at_1_copy(1)) = 0 else
-    norm_x0_resized_third_h3(0) when known(row_m0_select_at_1_copy(1)) = 1 else
-    e_b(0)(0);
-  norm_x(0)(1) <=
-    resize(coordinate_v1(1), 19) when known(row_m0_select_at_1_copy(2)) = 0 else
-    norm_x0_resized_third_h3(1) when known(row_m0_select_at_1_copy(2)) = 1 else
-    e_b(0)(1);
-  norm_x(0)(2) <=
-    resize(coordinate_v1(2), 19) when known(row_m0_select_at_1_copy(2)) = 0 else
-    norm_x0_resized_third_h3(2) when known(row_m0_select_at_1_copy(2)) = 1 else
-    e_b(0)(2);
-  norm_x(1)(0) <=
-    resize(coordinate_v2(0), 19) when known(row_m0_select_at_1_copy(2)) = 0 else
-    norm_x1_resized_third_h3(0) when known(row_m0_select_at_1_copy(2)) = 1 else
-    e_b(1)(0);
-  norm_x(1)(1) <=
-    resize(coordinate_v2(1), 19) when known(row_m0_select_at_1_copy(3)) = 0 else
-    norm_x1_resized_third_h3(1) when known(row_m0_select_at_1_copy(3)) = 1 else
-    e_b(1)(1);
-  norm_x(1)(2) <=
-    resize(coordinate_v2(2), 19) when known(row_m0_select_at_1_copy(3)) = 0 else
-    norm_x1_resized_third_h3(2) when known(row_m0_select_at_1_copy(3)) = 1 else
-    e_b(1)(2);
-  norm_x(2)(0) <=
-    e_a1(0) when known(row_m0_select_at_1_copy(3)) = 0 else
-    norm_x2_resized_h3(0) when known(row_m0_select_at_1_copy(3)) = 1 else
-    e_b(2)(0);
-  norm_x(2)(1) <=
-    e_a1(1) when known(row_m0_select_at_1_copy(4)) = 0 else
-    norm_x2_resized_h3(1) when known(row_m0_select_at_1_copy(4)) = 1 else
-    e_b(2)(1);
-  norm_x(2)(2) <=
-    e_a1(2) when known(row_m0_select_at_1_copy(4)) = 0 else
-    norm_x2_resized_h3(2) when known(row_m0_select_at_1_copy(4)) = 1 else
-    e_b(2)(2);
+  norm_x(2) <=
+    e_a1 when known(row_m_select_at_1) = 0 else
+    norm_x2_resized_h3 when known(row_m_select_at_1) = 1 else
+    e_b(2);
   rest_of_level <=
     to_unsigned(64, 15) when known(level) = 0 else
     to_unsigned(64, 15) when known(level) = 1 else
@@ -1159,24 +970,24 @@ begin
     to_unsigned(16384, 15);
   rest_of_level_aligned <= append(rest_of_level, 1);
   boxes_v(0) <=
-    coordinate_v1(0) when known(row_m0_select_at_1_copy(12)) = 0 else
-    coordinate_v1_h3(1) when known(row_m0_select_at_1_copy(12)) = 1 else
+    coordinate_v1(0) when known(row_m_select_at_1) = 0 else
+    coordinate_v1_h3(1) when known(row_m_select_at_1) = 1 else
     coordinate_v1_h3(2);
   boxes_v(1) <=
-    coordinate_v2(0) when known(row_m0_select_at_1_copy(13)) = 0 else
-    coordinate_v2_h3(1) when known(row_m0_select_at_1_copy(13)) = 1 else
+    coordinate_v2(0) when known(row_m_select_at_1) = 0 else
+    coordinate_v2_h3(1) when known(row_m_select_at_1) = 1 else
     coordinate_v2_h3(2);
   boxes_w(0) <=
-    coordinate_w0_h4(0) when known(row_m0_select_at_1_copy(13)) = 0 else
-    coordinate_w0_h4(1) when known(row_m0_select_at_1_copy(13)) = 1 else
+    coordinate_w0_h4(0) when known(row_m_select_at_1) = 0 else
+    coordinate_w0_h4(1) when known(row_m_select_at_1) = 1 else
     coordinate_w0_h6(2);
   boxes_w(1) <=
-    coordinate_w1_h4(0) when known(row_m0_select_at_1_copy(13)) = 0 else
-    coordinate_w1_h4(1) when known(row_m0_select_at_1_copy(13)) = 1 else
+    coordinate_w1_h4(0) when known(row_m_select_at_1) = 0 else
+    coordinate_w1_h4(1) when known(row_m_select_at_1) = 1 else
     coordinate_w1_h6(2);
   boxes_w(2) <=
-    coordinate_w2_h4(0) when known(row_m0_select_at_1_copy(14)) = 0 else
-    coordinate_w2_h4(1) when known(row_m0_select_at_1_copy(14)) = 1 else
+    coordinate_w2_h4(0) when known(row_m_select_at_1) = 0 else
+    coordinate_w2_h4(1) when known(row_m_select_at_1) = 1 else
     coordinate_w2_h6(2);
 
   -- Clock 23
@@ -1198,12 +1009,10 @@ begin
 
   -- Clock 25
   places <= '1' when places_captured = '1' else '0';
-  moment_exact(0)(0) <= moment_cut(6) when lane1_select_at_1_copy(1) = '1' else moment_cut(0);
-  moment_exact(0)(1) <= moment_cut(7) when lane1_select_at_1_copy(2) = '1' else moment_cut(1);
-  moment_exact(0)(2) <= moment_cut(8) when lane1_select_at_1_copy(2) = '1' else moment_cut(2);
-  moment_exact(1)(0) <= moment_cut(9) when lane1_select_at_1_copy(2) = '1' else moment_cut(3);
-  moment_exact(1)(1) <= moment_cut(10) when lane1_select_at_1_copy(3) = '1' else moment_cut(4);
-  moment_exact(1)(2) <= moment_cut(11) when lane1_select_at_1_copy(3) = '1' else moment_cut(5);
+  moment_exact_0_each : for i in 0 to 2 generate
+    moment_exact(0)(i) <= moment_cut(i + 6) when lane1_select_at_1 = '1' else moment_cut(i);
+    moment_exact(1)(i) <= moment_cut(i + 9) when lane1_select_at_1 = '1' else moment_cut(i + 3);
+  end generate moment_exact_0_each;
   rest <= resize(rest_of_level_aligned_h3, 17) when places = '1' else rest_aligned_second_h3;
   moment_lane_unit : for k in 0 to 1 generate
     unit : entity work.moment_round
@@ -1215,65 +1024,40 @@ begin
   begin
     if rising_edge(clk) then
       places_d1 <= places;
-      places_d1_copy <= places;
     end if;
   end process clock_26;
-  dot_x(0)(0) <=
-    coordinate_w0_h6(0) when known(row_m0_select_at_2_copy(7)) = 0 else
-    coordinate_w1_h9(0) when known(row_m0_select_at_2_copy(7)) = 1 else
-    coordinate_v2_h6(0);
-  dot_x(0)(1) <=
-    coordinate_w0_h6(1) when known(row_m0_select_at_2_copy(8)) = 0 else
-    coordinate_w1_h9(1) when known(row_m0_select_at_2_copy(8)) = 1 else
-    coordinate_v2_h6(1);
-  dot_x(0)(2) <=
-    coordinate_w0_h6(2) when known(row_m0_select_at_2_copy(8)) = 0 else
-    coordinate_w1_h9(2) when known(row_m0_select_at_2_copy(8)) = 1 else
-    coordinate_v2_h6(2);
-  dot_x(1)(0) <=
-    coordinate_v1_h6(0) when known(row_m0_select_at_2_copy(8)) = 0 else
-    coordinate_w0_h9(0) when known(row_m0_select_at_2_copy(8)) = 1 else
-    coordinate_w2_h9(0);
-  dot_x(1)(1) <=
-    coordinate_v1_h6(1) when known(row_m0_select_at_2_copy(9)) = 0 else
-    coordinate_w0_h9(1) when known(row_m0_select_at_2_copy(9)) = 1 else
-    coordinate_w2_h9(1);
-  dot_x(1)(2) <=
-    coordinate_v1_h6(2) when known(row_m0_select_at_2_copy(9)) = 0 else
-    coordinate_w0_h9(2) when known(row_m0_select_at_2_copy(9)) = 1 else
-    coordinate_w2_h9(2);
+  dot_x(0) <=
+    coordinate_w0_h6 when known(row_m_select_at_2) = 0 else
+    coordinate_w1_h9 when known(row_m_select_at_2) = 1 else
+    coordinate_v2_h6;
+  dot_x(1) <=
+    coordinate_v1_h6 when known(row_m_select_at_2) = 0 else
+    coordinate_w0_h9 when known(row_m_select_at_2) = 1 else
+    coordinate_w2_h9;
   dot_x(2) <= coordinate_v2_h6 when lane1_select_at_2 = '1' else coordinate_v1_h6;
-  dot_x(3) <= coordinate_v2_h6 when lane1_select_at_2_copy(1) = '1' else coordinate_v1_h6;
-  dot_m(1)(0) <=
-    moment_m0(0) when known(row_m0_select_at_2_copy(9)) = 0 else
-    moment_m1(0) when known(row_m0_select_at_2_copy(9)) = 1 else
-    moment_n(0);
-  dot_m(1)(1) <=
-    moment_m0(1) when known(row_m0_select_at_2_copy(10)) = 0 else
-    moment_m1(1) when known(row_m0_select_at_2_copy(10)) = 1 else
-    moment_n(1);
-  dot_m(1)(2) <=
-    moment_m0(2) when known(row_m0_select_at_2_copy(10)) = 0 else
-    moment_m1(2) when known(row_m0_select_at_2_copy(10)) = 1 else
-    moment_n(2);
-  dot_m(2) <= moment_m0 when lane1_select_at_2_copy(0) = '1' else moment_m1;
+  dot_x(3) <= coordinate_v2_h6 when lane1_select_at_2 = '1' else coordinate_v1_h6;
+  dot_m(1) <=
+    moment_m0 when known(row_m_select_at_2) = 0 else
+    moment_m1 when known(row_m_select_at_2) = 1 else
+    moment_n;
+  dot_m(2) <= moment_m0 when lane1_select_at_2 = '1' else moment_m1;
   length_x(0) <=
-    length_measure(0) when known(row_m0_select_at_2_copy(10)) = 0 else
-    length_measure(3) when known(row_m0_select_at_2_copy(10)) = 1 else
+    length_measure(0) when known(row_m_select_at_2) = 0 else
+    length_measure(3) when known(row_m_select_at_2) = 1 else
     length_measure(6);
   length_x(1) <=
-    length_measure(1) when known(row_m0_select_at_2_copy(11)) = 0 else
-    length_measure(4) when known(row_m0_select_at_2_copy(11)) = 1 else
+    length_measure(1) when known(row_m_select_at_2) = 0 else
+    length_measure(4) when known(row_m_select_at_2) = 1 else
     length_measure(7);
   length_x(2) <=
-    length_measure(2) when known(row_m0_select_at_2_copy(11)) = 0 else
-    length_measure(5) when known(row_m0_select_at_2_copy(11)) = 1 else
+    length_measure(2) when known(row_m_select_at_2) = 0 else
+    length_measure(5) when known(row_m_select_at_2) = 1 else
     length_measure8_h3;
-  length_times_g(0) <= resize(length_x(0), 22) when places_d1 = '1' else append(length_x(0), 1);
-  length_times_g(1) <= resize(length_x(1), 22) when places_d1 = '1' else append(length_x(1), 1);
-  length_times_g(2) <= resize(length_x(2), 22) when places_d1_copy = '1' else append(length_x(2), 1);
-  moment_norm_x(0) <= moment_m2 when lane1_select_at_2_copy(2) = '1' else moment_m0;
-  moment_norm_x(1) <= moment_n when lane1_select_at_2_copy(3) = '1' else moment_m1;
+  length_times_g_each : for k in 0 to 2 generate
+    length_times_g(k) <= resize(length_x(k), 22) when places_d1 = '1' else append(length_x(k), 1);
+  end generate length_times_g_each;
+  moment_norm_x(0) <= moment_m2 when lane1_select_at_2 = '1' else moment_m0;
+  moment_norm_x(1) <= moment_n when lane1_select_at_2 = '1' else moment_m1;
 
   -- Clock 27
   clock_27 : process (clk)
@@ -1285,20 +1069,16 @@ begin
       length_times_g_d1 <= length_times_g;
       level_h4_d1 <= level_h4;
       moment_norm_x_d1 <= moment_norm_x;
-      level_h4_d1_copy <= level_h4;
     end if;
   end process clock_27;
   dot_m(0) <=
-    moment_n when known(row_m0_select_at_0_copy(6)) = 0 else
-    moment_n when known(row_m0_select_at_0_copy(6)) = 1 else
+    moment_n when known(row_m_select_at_0) = 0 else
+    moment_n when known(row_m_select_at_0) = 1 else
     moment_m2;
   dot_m(3) <= moment_m1 when lane1_select_at_0 = '1' else moment_m2;
-  length_first_unit_by(0) <= level_h4_d1;
-  length_first_unit_by(1) <= level_h4_d1;
-  length_first_unit_by(2) <= level_h4_d1_copy;
   length_first_unit : for k in 0 to 2 generate
     unit : entity work.length_first_order
-      port map (x => length_times_g_d1(k), by => length_first_unit_by(k), first_order => length_first(k));
+      port map (x => length_times_g_d1(k), by => level_h4_d1, first_order => length_first(k));
   end generate length_first_unit;
   moment_norm_lane_unit : for k in 0 to 1 generate
     unit : entity work.moment_norm
@@ -1363,7 +1143,7 @@ begin
   moment_measure(0) <= resize(norm_of_moment(0), 21);
   moment_measure(1) <= resize(norm_of_moment(1), 21);
   moment_x_each : for k in 0 to 1 generate
-    moment_x(k) <= moment_measure(k + 2) when lane1_select_at_2_copy(4) = '1' else moment_measure(k);
+    moment_x(k) <= moment_measure(k + 2) when lane1_select_at_2 = '1' else moment_measure(k);
     face_of_vertex_negative_difference(k)(1) <= signed(resize(length_bound(k), 30)) -
         signed(resize(length_bound(3), 30));
     face_of_vertex_negative_difference(k)(2) <= signed(resize(length_bound(k), 30)) -
@@ -1466,36 +1246,36 @@ begin
   compared_bound(10) <= signed(resize(bound_side11(32 downto 3), 31));
   compared_bound(11) <= signed(resize(bound_side12(32 downto 3), 31));
   sign_x(0) <=
-    compared0_h3 when known(row_m0_select_at_1_copy(5)) = 0 else
-    compared(5) when known(row_m0_select_at_1_copy(5)) = 1 else
+    compared0_h3 when known(row_m_select_at_1) = 0 else
+    compared(5) when known(row_m_select_at_1) = 1 else
     compared10_h1;
   sign_x(1) <=
-    compared(1) when known(row_m0_select_at_1_copy(7)) = 0 else
-    compared(6) when known(row_m0_select_at_1_copy(7)) = 1 else
+    compared(1) when known(row_m_select_at_1) = 0 else
+    compared(6) when known(row_m_select_at_1) = 1 else
     compared11_h1;
   sign_x(2) <=
-    compared(2) when known(row_m0_select_at_1_copy(9)) = 0 else
-    compared(7) when known(row_m0_select_at_1_copy(9)) = 1 else
+    compared(2) when known(row_m_select_at_1) = 0 else
+    compared(7) when known(row_m_select_at_1) = 1 else
     compared12_h3;
   sign_x(3) <=
-    compared3_h3 when known(row_m0_select_at_1_copy(11)) = 0 else
-    compared(8) when known(row_m0_select_at_1_copy(11)) = 1 else
+    compared3_h3 when known(row_m_select_at_1) = 0 else
+    compared(8) when known(row_m_select_at_1) = 1 else
     compared13_h3;
   sign_bound(0) <=
-    compared_bound0_h2 when known(row_m0_select_at_1_copy(6)) = 0 else
-    compared_bound5_h2 when known(row_m0_select_at_1_copy(6)) = 1 else
+    compared_bound0_h2 when known(row_m_select_at_1) = 0 else
+    compared_bound5_h2 when known(row_m_select_at_1) = 1 else
     compared_bound(10);
   sign_bound(1) <=
-    compared_bound1_h1 when known(row_m0_select_at_1_copy(8)) = 0 else
-    compared_bound6_h1 when known(row_m0_select_at_1_copy(8)) = 1 else
+    compared_bound1_h1 when known(row_m_select_at_1) = 0 else
+    compared_bound6_h1 when known(row_m_select_at_1) = 1 else
     compared_bound(11);
   sign_bound(2) <=
-    compared_bound2_h1 when known(row_m0_select_at_1_copy(10)) = 0 else
-    compared_bound7_h1 when known(row_m0_select_at_1_copy(10)) = 1 else
+    compared_bound2_h1 when known(row_m_select_at_1) = 0 else
+    compared_bound7_h1 when known(row_m_select_at_1) = 1 else
     compared_bound12_h2;
   sign_bound(3) <=
-    compared_bound(3) when known(row_m0_select_at_1_copy(12)) = 0 else
-    compared_bound8_h2 when known(row_m0_select_at_1_copy(12)) = 1 else
+    compared_bound(3) when known(row_m_select_at_1) = 0 else
+    compared_bound8_h2 when known(row_m_select_at_1) = 1 else
     compared_bound13_h2;
 
   -- Clock 35
@@ -1519,12 +1299,12 @@ begin
   compared(10) <= resize(determinant_side11, 41);
   compared(11) <= resize(determinant_side12, 41);
   sign_x(4) <=
-    compared(4) when known(row_m0_select_at_2_copy(12)) = 0 else
-    compared9_h1 when known(row_m0_select_at_2_copy(12)) = 1 else
+    compared(4) when known(row_m_select_at_2) = 0 else
+    compared9_h1 when known(row_m_select_at_2) = 1 else
     compared14_h3;
   sign_bound(4) <=
-    compared_bound4_h2 when known(row_m0_select_at_2_copy(13)) = 0 else
-    compared_bound(9) when known(row_m0_select_at_2_copy(13)) = 1 else
+    compared_bound4_h2 when known(row_m_select_at_2) = 0 else
+    compared_bound(9) when known(row_m_select_at_2) = 1 else
     compared_bound14_h2;
   sign_lane_unit_x(0) <= sign_x0_d1;
   sign_lane_unit_x(1) <= sign_x1_d1;
@@ -1652,36 +1432,21 @@ begin
     if rising_edge(clk) then
       if busy_2_or_busy_8_or_busy_26_or_busy_35 = '1' then
         row_m_select_at_2 <= to_unsigned(row_m_select_at_2_table(to_integer(known(phase))), 2);
-        for k in 0 to 13 loop
-          row_m0_select_at_2_copy(k) <= to_unsigned(row_m_select_at_2_table(to_integer(known(phase))), 2);
-        end loop;
       end if;
       if busy_3_or_busy_18_or_busy_27 = '1' then
         row_m_select_at_0 <= to_unsigned(row_m_select_at_0_table(to_integer(known(phase))), 2);
-        for k in 0 to 6 loop
-          row_m0_select_at_0_copy(k) <= to_unsigned(row_m_select_at_0_table(to_integer(known(phase))), 2);
-        end loop;
       end if;
       if busy_13_or_busy_22_or_busy_34 = '1' then
         row_m_select_at_1 <= to_unsigned(row_m_select_at_1_table(to_integer(known(phase))), 2);
-        for k in 0 to 14 loop
-          row_m0_select_at_1_copy(k) <= to_unsigned(row_m_select_at_1_table(to_integer(known(phase))), 2);
-        end loop;
       end if;
       if busy_13_or_busy_25 = '1' then
         lane1_select_at_1 <= lane1_select_at_1_table(to_integer(known(phase)));
-        for k in 0 to 3 loop
-          lane1_select_at_1_copy(k) <= lane1_select_at_1_table(to_integer(known(phase)));
-        end loop;
       end if;
       if busy_21 = '1' then
         too_great_0_so_far_select_at_0 <= too_great_0_so_far_select_at_0_table(to_integer(known(phase)));
       end if;
       if busy_26_or_busy_29 = '1' then
         lane1_select_at_2 <= lane1_select_at_2_table(to_integer(known(phase)));
-        for k in 0 to 4 loop
-          lane1_select_at_2_copy(k) <= lane1_select_at_2_table(to_integer(known(phase)));
-        end loop;
       end if;
       if busy_27 = '1' then
         lane1_select_at_0 <= lane1_select_at_0_table(to_integer(known(phase)));
@@ -1694,626 +1459,92 @@ begin
   begin
     if rising_edge(clk) then
       if strobe(0) = '1' then
-        pose_t_inside_number_h1(0) <= choose(pose_bypass, to_signed(0, 32), pose_t(0));
-        pose_t_inside_number_h1(1) <= choose(pose_bypass, to_signed(0, 32), pose_t(1));
-      end if;
-      if strobe0_copy(0) = '1' then
-        pose_t_inside_number_h1(2) <= choose(pose_bypass, to_signed(0, 32), pose_t(2));
-        pose_m0_inside_number_h1(0) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(0));
-      end if;
-      if strobe0_copy(1) = '1' then
-        pose_m0_inside_number_h1(1) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(1));
-        pose_m0_inside_number_h1(2) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(2));
-      end if;
-      if strobe0_copy(2) = '1' then
-        pose_m1_inside_number_h1(0) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(0));
-        pose_m1_inside_number_h1(1) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(1));
-      end if;
-      if strobe0_copy(3) = '1' then
-        pose_m1_inside_number_h1(2) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(2));
-        pose_m2_inside_number_h1(0) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(0));
-      end if;
-      if strobe0_copy(4) = '1' then
-        pose_m2_inside_number_h1(1) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(1));
-        pose_m2_inside_number_h1(2) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(2));
-      end if;
-      if strobe0_copy(5) = '1' then
-        in_w2_inside_h3(0) <= in_w2_inside(0);
-        in_w2_inside_h3(1) <= in_w2_inside(1);
-      end if;
-      if strobe0_copy(6) = '1' then
-        in_w2_inside_h3(2) <= in_w2_inside(2);
-      end if;
-      if strobe0_copy(7) = '1' then
-        moved_h2(0) <= moved(0);
-        moved_h5(0) <= moved_h2(0);
-        moved_h8(0) <= moved_h5(0);
-      end if;
-      if strobe0_copy(10) = '1' then
-        moved_h2(1) <= moved(1);
-        moved_h5(1) <= moved_h2(1);
-        moved_h8(1) <= moved_h5(1);
-      end if;
-      if strobe0_copy(13) = '1' then
-        moved_h2(2) <= moved(2);
-        moved_h5(2) <= moved_h2(2);
-        moved_h8(2) <= moved_h5(2);
-      end if;
-      if strobe0_copy(8) = '1' then
-        in_w1_inside_h3(0) <= in_w1_inside(0);
+        for k in 0 to 2 loop
+          pose_t_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_t(k));
+          pose_m0_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(k));
+          pose_m1_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(k));
+          pose_m2_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(k));
+        end loop;
+        in_w2_inside_h3 <= in_w2_inside;
+        moved_h2 <= moved;
+        moved_h5 <= moved_h2;
+        moved_h8 <= moved_h5;
+        in_w1_inside_h3 <= in_w1_inside;
         pose_bypass_h7 <= pose_bypass_h6;
-      end if;
-      if strobe0_copy(11) = '1' then
-        in_w1_inside_h3(1) <= in_w1_inside(1);
-      end if;
-      if strobe0_copy(14) = '1' then
-        in_w1_inside_h3(2) <= in_w1_inside(2);
-      end if;
-      if strobe(2) = '1' then
-        pose_bypass_h3 <= pose_bypass;
-        pose_bypass_h6 <= pose_bypass_h3;
-        difference(0) <= row(0);
-      end if;
-      if strobe2_copy(0) = '1' then
-        difference(1) <= row(1);
-      end if;
-      if strobe2_copy(1) = '1' then
-        difference(2) <= row(2);
-      end if;
-      if strobe0_copy(9) = '1' then
         difference(3) <= row(0);
-      end if;
-      if strobe0_copy(12) = '1' then
         difference(4) <= row(1);
-      end if;
-      if strobe0_copy(15) = '1' then
         difference(5) <= row(2);
-      end if;
-      if strobe(1) = '1' then
-        difference(6) <= row(0);
-      end if;
-      if strobe1_copy(0) = '1' then
-        difference(7) <= row(1);
-      end if;
-      if strobe1_copy(1) = '1' then
-        difference(8) <= row(2);
-      end if;
-      if strobe0_copy(16) = '1' then
-        difference_v1_h3(0) <= difference_v1(0);
-        difference_v1_h6(0) <= difference_v1_h3(0);
-        difference_v1_h9(0) <= difference_v1_h6(0);
-      end if;
-      if strobe0_copy(18) = '1' then
-        difference_v1_h3(1) <= difference_v1(1);
-        difference_v1_h6(1) <= difference_v1_h3(1);
-        difference_v1_h9(1) <= difference_v1_h6(1);
-      end if;
-      if strobe0_copy(20) = '1' then
-        difference_v1_h3(2) <= difference_v1(2);
-        difference_v1_h6(2) <= difference_v1_h3(2);
-        difference_v1_h9(2) <= difference_v1_h6(2);
-      end if;
-      if strobe1_copy(2) = '1' then
-        difference_v1_h10(0) <= difference_v1_h9(0);
-      end if;
-      if strobe1_copy(4) = '1' then
-        difference_v1_h10(1) <= difference_v1_h9(1);
-      end if;
-      if strobe1_copy(6) = '1' then
-        difference_v1_h10(2) <= difference_v1_h9(2);
-      end if;
-      if strobe0_copy(17) = '1' then
-        difference_v2_h3(0) <= difference_v2(0);
-        difference_v2_h6(0) <= difference_v2_h3(0);
-        difference_v2_h9(0) <= difference_v2_h6(0);
-      end if;
-      if strobe0_copy(19) = '1' then
-        difference_v2_h3(1) <= difference_v2(1);
-        difference_v2_h6(1) <= difference_v2_h3(1);
-        difference_v2_h9(1) <= difference_v2_h6(1);
-      end if;
-      if strobe0_copy(21) = '1' then
-        difference_v2_h3(2) <= difference_v2(2);
-        difference_v2_h6(2) <= difference_v2_h3(2);
-        difference_v2_h9(2) <= difference_v2_h6(2);
-        coordinate_cut(2)(0) <= lane_shifted(0)(0);
-      end if;
-      if strobe1_copy(3) = '1' then
-        difference_v2_h10(0) <= difference_v2_h9(0);
-      end if;
-      if strobe1_copy(5) = '1' then
-        difference_v2_h10(1) <= difference_v2_h9(1);
-      end if;
-      if strobe1_copy(7) = '1' then
-        difference_v2_h10(2) <= difference_v2_h9(2);
-      end if;
-      for i in 0 to 2 loop
-        if strobe2_copy(i + 2) = '1' then
-          difference_w0_h3(i) <= difference_w0(i);
-        end if;
-        if strobe1_copy(i + 8) = '1' then
-          difference_w2_h3(i) <= difference_w2(i);
-        end if;
-      end loop;
-      if strobe1_copy(10) = '1' then
-        shift_h1 <= shift;
-        shift_h4 <= shift_h1;
-        shift_y0_h1_copy <= shift(1)(0);
-        shift_x0_h1_copy <= shift(0)(0);
-      end if;
-      for i in 0 to 2 loop
-        if strobe2_copy(i + 4) = '1' then
-          coordinate_cut(0)(i) <= lane_shifted(0)(i);
-        end if;
-        if strobe2_copy(i + 6) = '1' then
-          coordinate_cut(1)(i) <= lane_shifted(1)(i);
-        end if;
-      end loop;
-      if strobe0_copy(22) = '1' then
-        coordinate_cut(2)(1) <= lane_shifted(0)(1);
-        coordinate_cut(2)(2) <= lane_shifted(0)(2);
-      end if;
-      if strobe0_copy(25) = '1' then
-        coordinate_cut(3)(0) <= lane_shifted(1)(0);
-      end if;
-      if strobe0_copy(26) = '1' then
-        coordinate_cut(3)(1) <= lane_shifted(1)(1);
-        coordinate_cut(3)(2) <= lane_shifted(1)(2);
+        difference_v1_h3 <= difference_v1;
+        difference_v1_h6 <= difference_v1_h3;
+        difference_v1_h9 <= difference_v1_h6;
+        difference_v2_h3 <= difference_v2;
+        difference_v2_h6 <= difference_v2_h3;
+        difference_v2_h9 <= difference_v2_h6;
+        coordinate_cut(2) <= lane_shifted(0);
+        coordinate_cut(3) <= lane_shifted(1);
+        difference_w1_h3 <= difference_w1;
         level_less_resized_first_h1 <= signed(resize(axis_level0_resized_less_choice, 4));
         level_less_resized_second_h1 <= signed(resize(axis_level(2), 4));
         level_less_h3 <= less(level_less_resized_first_h1, level_less_resized_second_h1);
         axis_level0_resized_less_choice_h4 <= axis_level0_resized_less_choice_h3;
         axis_level2_h4 <= axis_level2_h3;
-      end if;
-      if strobe1_copy(11) = '1' then
-        coordinate_cut(4) <= lane_shifted(0);
-      end if;
-      for i in 0 to 2 loop
-        if strobe0_copy(i + 23) = '1' then
-          difference_w1_h3(i) <= difference_w1(i);
-        end if;
-      end loop;
-      if strobe2_copy(5) = '1' then
-        coordinate_cut0_h3(0) <= coordinate_cut(0)(0);
-        coordinate_cut0_h3(1) <= coordinate_cut(0)(1);
-      end if;
-      if strobe2_copy(6) = '1' then
-        coordinate_cut0_h3(2) <= coordinate_cut(0)(2);
-      end if;
-      if strobe2_copy(7) = '1' then
-        coordinate_cut1_h3(0) <= coordinate_cut(1)(0);
-        coordinate_cut1_h3(1) <= coordinate_cut(1)(1);
-      end if;
-      if strobe2_copy(8) = '1' then
-        coordinate_cut1_h3(2) <= coordinate_cut(1)(2);
-        carried_h1 <= carried;
-        coordinate_cut2_h2(0) <= coordinate_cut(2)(0);
-      end if;
-      if strobe1_copy(12) = '1' then
-        coordinate_cut0_h5 <= coordinate_cut0_h3;
-        carried_h3 <= carried_h1;
-      end if;
-      if strobe1_copy(13) = '1' then
-        coordinate_cut1_h5 <= coordinate_cut1_h3;
-      end if;
-      if strobe2_copy(9) = '1' then
-        coordinate_cut2_h2(1) <= coordinate_cut(2)(1);
-        coordinate_cut2_h2(2) <= coordinate_cut(2)(2);
-        coordinate_cut3_h2(0) <= coordinate_cut(3)(0);
-      end if;
-      if strobe2_copy(10) = '1' then
-        coordinate_cut3_h2(1) <= coordinate_cut(3)(1);
-        coordinate_cut3_h2(2) <= coordinate_cut(3)(2);
-        coordinate_cut4_h1(0) <= coordinate_cut(4)(0);
-      end if;
-      if strobe2_copy(11) = '1' then
-        coordinate_cut4_h1(1) <= coordinate_cut(4)(1);
-        coordinate_cut4_h1(2) <= coordinate_cut(4)(2);
-        taken_x_h1 <= taken_x;
-        taken_y_h1 <= taken_y;
-        taken_z_h1 <= taken_z;
-        axis_level0_resized_less_choice_h3 <= axis_level0_resized_less_choice;
-        axis_level2_h3 <= axis_level(2);
-      end if;
-      if strobe1_copy(14) = '1' then
-        moment_cut(0) <= moment_lane_cut(0);
-        moment_cut(1) <= moment_lane_cut(1);
-        moment_cut(2) <= moment_lane_cut(2);
-      end if;
-      if strobe1_copy(15) = '1' then
-        moment_cut(3) <= moment_lane_cut(3);
-        moment_m0(0) <= moment_lane(0)(0);
-        moment_m0(1) <= moment_lane(0)(1);
-      end if;
-      if strobe2_copy(12) = '1' then
-        moment_cut(4) <= moment_lane_cut(0);
-        moment_cut(5) <= moment_lane_cut(1);
-        moment_cut(6) <= moment_lane_cut(2);
-      end if;
-      if strobe2_copy(13) = '1' then
-        moment_cut(7) <= moment_lane_cut(3);
-        moment_m2(0) <= moment_lane(0)(0);
-        moment_m2(1) <= moment_lane(0)(1);
-      end if;
-      if strobe0_copy(27) = '1' then
         moment_cut(8) <= moment_lane_cut(0);
         moment_cut(9) <= moment_lane_cut(1);
         moment_cut(10) <= moment_lane_cut(2);
-      end if;
-      if strobe0_copy(28) = '1' then
         moment_cut(11) <= moment_lane_cut(3);
         places_captured <= too_great_0_so_far;
         determinant_plane_a0 <= dot_lane(0);
-      end if;
-      if strobe1_copy(16) = '1' then
-        moment_m0(2) <= moment_lane(0)(2);
-        moment_m1(0) <= moment_lane(1)(0);
-        moment_m1(1) <= moment_lane(1)(1);
-      end if;
-      if strobe2_copy(14) = '1' then
-        moment_m2(2) <= moment_lane(0)(2);
-        moment_n(0) <= moment_lane(1)(0);
-        moment_n(1) <= moment_lane(1)(1);
-      end if;
-      if strobe1_copy(17) = '1' then
-        moment_m1(2) <= moment_lane(1)(2);
-        coordinate_v2_h3(0) <= coordinate_v2(0);
-      end if;
-      if strobe2_copy(15) = '1' then
-        moment_n(2) <= moment_lane(1)(2);
-        coordinate_w0_h3(0) <= coordinate_w0(0);
-        coordinate_w0_h6(0) <= coordinate_w0_h3(0);
-        coordinate_w0_h9(0) <= coordinate_w0_h6(0);
-      end if;
-      if strobe2_copy(16) = '1' then
-        coordinate_w0_h3(1) <= coordinate_w0(1);
-        coordinate_w0_h3(2) <= coordinate_w0(2);
-        coordinate_w0_h6(1) <= coordinate_w0_h3(1);
-        coordinate_w0_h6(2) <= coordinate_w0_h3(2);
-        coordinate_w0_h9(1) <= coordinate_w0_h6(1);
-        coordinate_w0_h9(2) <= coordinate_w0_h6(2);
-      end if;
-      for i in 0 to 2 loop
-        if strobe2_copy(i + 15) = '1' then
-          coordinate_w1_h3(i) <= coordinate_w1(i);
-          coordinate_w1_h6(i) <= coordinate_w1_h3(i);
-          coordinate_w1_h9(i) <= coordinate_w1_h6(i);
-        end if;
-      end loop;
-      if strobe1_copy(18) = '1' then
-        coordinate_v2_h3(1) <= coordinate_v2(1);
-        coordinate_v2_h3(2) <= coordinate_v2(2);
-      end if;
-      for i in 0 to 2 loop
-        if strobe1_copy(i + 17) = '1' then
-          coordinate_v2_h6(i) <= coordinate_v2_h3(i);
-        end if;
-      end loop;
-      if strobe1_copy(19) = '1' then
-        determinant_plane_a1 <= dot_lane(0);
-      end if;
-      if strobe2_copy(17) = '1' then
-        determinant_side22 <= dot_lane(0);
-      end if;
-      if strobe1_copy(20) = '1' then
-        coordinate_v1_h3(0) <= coordinate_v1(0);
-        coordinate_v1_h3(1) <= coordinate_v1(1);
-        coordinate_v1_h6(0) <= coordinate_v1_h3(0);
-      end if;
-      if strobe1_copy(21) = '1' then
-        coordinate_v1_h3(2) <= coordinate_v1(2);
-        coordinate_v1_h6(1) <= coordinate_v1_h3(1);
-        coordinate_v1_h6(2) <= coordinate_v1_h3(2);
-      end if;
-      if strobe2_copy(18) = '1' then
-        coordinate_w2_h3 <= coordinate_w2;
-        coordinate_w2_h6 <= coordinate_w2_h3;
-        coordinate_w2_h9 <= coordinate_w2_h6;
-      end if;
-      if strobe2_copy(19) = '1' then
-        dot_d1(0) <= dot_lane(1);
-      end if;
-      if strobe2_copy(21) = '1' then
-        dot_d1(1) <= dot_lane(2);
-      end if;
-      if strobe0_copy(31) = '1' then
         dot_d1(2) <= dot_lane(3);
-      end if;
-      if strobe0_copy(29) = '1' then
         determinant_plane_b0 <= dot_lane(1);
-      end if;
-      if strobe1_copy(22) = '1' then
-        determinant_plane_a2 <= dot_lane(1);
-      end if;
-      if strobe0_copy(30) = '1' then
         determinant_side20 <= dot_lane(2);
-      end if;
-      if strobe1_copy(23) = '1' then
-        determinant_side21 <= dot_lane(3);
-        length_measure(2) <= norm_lane(0);
-      end if;
-      if strobe2_copy(20) = '1' then
-        dot_d1_0_h3 <= dot_d1(0);
-      end if;
-      if strobe2_copy(22) = '1' then
-        dot_d1_1_h3 <= dot_d1(1);
-      end if;
-      for i in 0 to 2 loop
-        if strobe2_copy(i + 22) = '1' then
-          coordinate_v2_h1(i) <= coordinate_v2(i);
-        end if;
-      end loop;
-      if strobe2_copy(23) = '1' then
-        coordinate_v1_h1(0) <= coordinate_v1(0);
-        coordinate_v1_h1(1) <= coordinate_v1(1);
-      end if;
-      if strobe2_copy(24) = '1' then
-        coordinate_v1_h1(2) <= coordinate_v1(2);
-        norm_x0_resized_third_h3(0) <= resize(coordinate_w0(0), 19);
-      end if;
-      for i in 0 to 2 loop
-        if strobe0_copy(i + 31) = '1' then
-          coordinate_w1_h4(i) <= coordinate_w1_h3(i);
-        end if;
-      end loop;
-      if strobe0_copy(32) = '1' then
-        coordinate_w0_h4(0) <= coordinate_w0_h3(0);
-        coordinate_w0_h4(1) <= coordinate_w0_h3(1);
-      end if;
-      if strobe0_copy(33) = '1' then
-        coordinate_w0_h4(2) <= coordinate_w0_h3(2);
-        coordinate_w2_h4(0) <= coordinate_w2_h3(0);
-      end if;
-      if strobe0_copy(34) = '1' then
-        coordinate_w2_h4(1) <= coordinate_w2_h3(1);
-        coordinate_w2_h4(2) <= coordinate_w2_h3(2);
+        coordinate_w1_h4 <= coordinate_w1_h3;
+        coordinate_w0_h4 <= coordinate_w0_h3;
+        coordinate_w2_h4 <= coordinate_w2_h3;
         length_measure(0) <= norm_lane(0);
-      end if;
-      if strobe2_copy(25) = '1' then
-        norm_x0_resized_third_h3(1) <= resize(coordinate_w0(1), 19);
-        norm_x0_resized_third_h3(2) <= resize(coordinate_w0(2), 19);
-        length_measure(5) <= norm_lane(0);
-      end if;
-      if strobe2_copy(26) = '1' then
-        for i in 0 to 2 loop
-          norm_x1_resized_third_h3(i) <= resize(coordinate_w1(i), 19);
-        end loop;
-      end if;
-      if strobe0_copy(35) = '1' then
         length_measure(1) <= norm_lane(1);
-        length_measure0_h3 <= length_measure(0);
-        length_measure1_h3 <= length_measure(1);
-      end if;
-      if strobe1_copy(24) = '1' then
-        length_measure(3) <= norm_lane(1);
-        length_measure(4) <= norm_lane(2);
-        level_h4 <= level_h3;
-      end if;
-      if strobe2_copy(27) = '1' then
-        length_measure(6) <= norm_lane(1);
-        norm_x2_resized_h3(0) <= resize(coordinate_w2(0), 19);
-        norm_x2_resized_h3(1) <= resize(coordinate_w2(1), 19);
-      end if;
-      if strobe2_copy(28) = '1' then
-        length_measure(7) <= norm_lane(2);
-        norm_x2_resized_h3(2) <= resize(coordinate_w2(2), 19);
-      end if;
-      if strobe0_copy(36) = '1' then
         length_measure(8) <= norm_lane(2);
         rest_aligned_second_h3 <= append(rest_of_level_aligned, 1);
-        length_measure8_h3 <= length_measure(8);
-      end if;
-      if strobe0_copy(37) = '1' then
         rest_of_level_aligned_h3 <= rest_of_level_aligned;
+        length_measure0_h3 <= length_measure(0);
+        length_measure1_h3 <= length_measure(1);
+        length_measure8_h3 <= length_measure(8);
         length_measure2_h2 <= length_measure(2);
         length_measure3_h2 <= length_measure(3);
-      end if;
-      if strobe0_copy(38) = '1' then
         length_measure4_h2 <= length_measure(4);
         length_measure5_h1 <= length_measure(5);
         length_measure6_h1 <= length_measure(6);
-      end if;
-      if strobe0_copy(39) = '1' then
         length_measure7_h1 <= length_measure(7);
         rest_h3 <= rest;
         level_h3 <= level;
-      end if;
-      if strobe0_copy(40) = '1' then
         length_bound(0) <= length_first(0);
         length_bound(1) <= length_first(1);
-      end if;
-      if strobe0_copy(41) = '1' then
         length_bound(2) <= length_first(2);
         moment_bound(0) <= moment_first(0);
-      end if;
-      if strobe1_copy(25) = '1' then
-        length_bound(3) <= length_first(0);
-        length_bound(4) <= length_first(1);
-      end if;
-      if strobe1_copy(26) = '1' then
-        length_bound(5) <= length_first(2);
-        norm_of_moment(0) <= moment_norm_lane(0);
-      end if;
-      if strobe2_copy(29) = '1' then
-        length_bound(6) <= length_first(0);
-        length_bound(7) <= length_first(1);
-      end if;
-      if strobe2_copy(30) = '1' then
-        length_bound(8) <= length_first(2);
-        norm_of_moment(2) <= moment_norm_lane(0);
-      end if;
-      if strobe1_copy(27) = '1' then
-        norm_of_moment(1) <= moment_norm_lane(1);
-        moment_bound(2) <= moment_first(0);
-      end if;
-      if strobe2_copy(31) = '1' then
-        norm_of_moment(3) <= moment_norm_lane(1);
-      end if;
-      if strobe0_copy(42) = '1' then
         moment_bound(1) <= moment_first(1);
-        bound_side10_sum_h1 <= resize(resize(append(moment_bound(0), 1), 31) +
-            resize(bound_side10_sum_sum_aligned_second_h3, 31), 32) + resize(bound_of_a, 32);
-      end if;
-      if strobe1_copy(28) = '1' then
-        moment_bound(3) <= moment_first(1);
-        length_measure0_plane_a0_h3 <= length_measure0_plane_a0;
-      end if;
-      for k in 0 to 1 loop
-        if strobe1_copy(29) = '1' then
-          face_of_vertex_h1(k)(0) <= face_of_vertex(k)(0);
-        end if;
-        if strobe2_copy(k + 31) = '1' then
-          face_of_vertex_h1(k)(1) <= face_of_vertex(k)(1);
-        end if;
-        if strobe2_copy(33) = '1' then
-          face_of_vertex_h1(k)(2) <= face_of_vertex(k)(2);
-        end if;
-      end loop;
-      if strobe1_copy(30) = '1' then
-        bound_plane_a0_sum_second_h3 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(1)(0), 30);
-        bound_plane_a1_sum_first_result_h3 <= bound_plane_a1_sum_first_result;
-      end if;
-      if strobe2_copy(32) = '1' then
-        bound_plane_a1_sum_second_h3 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(1)(1), 30);
-      end if;
-      if strobe1_copy(31) = '1' then
-        bound_plane_a2_sum_first_result_h3 <= bound_plane_a2_sum_first_result;
-        bound_corner_sum_h2 <= resize(resize(length_bound(5), 30) + resize(length_bound(6), 30), 31) +
-            resize(length_bound(7), 31);
-      end if;
-      if strobe2_copy(34) = '1' then
-        bound_plane_a2_sum_second_h3 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(1)(2), 30);
-        bound_corner_aligned_h1 <= append(bound_all_m, 1);
-      end if;
-      if strobe2_copy(35) = '1' then
-        bound_corner_sum_h3 <= bound_corner_sum_h2;
-        bound_all_m_h1 <= bound_all_m;
-      end if;
-      if strobe2_copy(36) = '1' then
-        length_measure0_plane_a0_h4 <= length_measure0_plane_a0_h3;
-        bound_plane_b1_result_h4 <= bound_plane_b1_result_h3;
-      end if;
-      if strobe1_copy(32) = '1' then
-        bound_plane_b1_result_h3 <= bound_plane_b1_result;
-        bound_plane_b2_result_h3 <= bound_plane_b2_result;
-      end if;
-      if strobe2_copy(37) = '1' then
-        bound_plane_b2_result_h4 <= bound_plane_b2_result_h3;
-        bound_of_a_aligned_second_h3 <= append(length_bound(8), 1);
-      end if;
-      if strobe1_copy(33) = '1' then
-        length_measure0_ends0_h3 <= length_measure0_ends0;
-        bound_side10_sum_sum_aligned_second_h3 <= append(length_bound(5), 1);
-      end if;
-      if strobe2_copy(38) = '1' then
-        face_of_vertex0_h2(0) <= face_of_vertex(0)(0);
-        bound_side02_sum_second_h3 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex0_h2(0), 30);
-      end if;
-      if strobe2_copy(40) = '1' then
-        face_of_vertex1_h2(0) <= face_of_vertex(1)(0);
-        bound_side22_sum_second_h3 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex1_h2(0), 30);
-      end if;
-      if strobe0_copy(46) = '1' then
         face_of_vertex1_h2(1) <= face_of_vertex(1)(1);
         face_of_vertex1_h2(2) <= face_of_vertex(1)(2);
-      end if;
-      if strobe1_copy(34) = '1' then
-        bound_side10_result_h3 <= bound_side10_result;
-        bound_side11_result_h3 <= bound_side11_result;
-      end if;
-      if strobe0_copy(43) = '1' then
+        bound_side10_sum_h1 <= resize(resize(append(moment_bound(0), 1), 31) +
+            resize(bound_side10_sum_sum_aligned_second_h3, 31), 32) + resize(bound_of_a, 32);
         bound_side10_result_h5 <= bound_side10_result_h3;
         bound_side11_sum_h1 <= resize(bound_side11_sum_sum_h2, 32) + resize(bound_of_a, 32);
-      end if;
-      if strobe2_copy(39) = '1' then
-        bound_side11_sum_sum_h2 <= resize(append(moment_bound(1), 1), 31) + resize(append(length_bound(6), 1), 31);
-        bound_side12_sum_sum_aligned_second_h3 <= append(length_bound(7), 1);
-      end if;
-      if strobe0_copy(44) = '1' then
         bound_side11_result_h5 <= bound_side11_result_h3;
         bound_side12_sum_h1 <= resize(resize(append(moment_bound(2), 1), 31) +
             resize(bound_side12_sum_sum_aligned_second_h3, 31), 32) + resize(bound_of_a, 32);
-      end if;
-      if strobe1_copy(35) = '1' then
-        bound_side12_result_h3 <= bound_side12_result;
-        length_measure0_ends1_h3 <= length_measure0_ends1;
-      end if;
-      if strobe0_copy(45) = '1' then
         bound_side12_result_h5 <= bound_side12_result_h3;
         face_of_vertex1_h3(0) <= face_of_vertex(1)(0);
-      end if;
-      if strobe0_copy(47) = '1' then
         compared0_h3 <= compared(0);
-      end if;
-      if strobe0_copy(49) = '1' then
         compared12_h3 <= compared(12);
-        sign(6) <= sign_lane(1);
-      end if;
-      if strobe0_copy(51) = '1' then
         compared3_h3 <= compared(3);
-      end if;
-      if strobe1_copy(37) = '1' then
-        compared13_h3 <= compared(13);
-      end if;
-      if strobe2_copy(45) = '1' then
-        compared14_h3 <= compared(14);
-        sign(14) <= sign_lane(4);
-        boxes_apart_along(1) <= boxes_lane;
-        separated1_not_h34 <= separated1_not_h32;
-        separated5_not_h37 <= separated5_not_h35;
-        separated8_not_h37 <= separated8_not_h35;
-        overlapping5_not_h37 <= overlapping5_not_h35;
-        overlapping8_not_h37 <= overlapping8_not_h35;
-        separated6_h1 <= separated_i(6);
-        separated7_h1 <= separated_i(7);
-        separated1_h3 <= separated_i(1);
-        separated2_h2 <= separated_i(2);
-        separated3_h2 <= separated_i(3);
-        overlapping3_h2 <= overlapping_i(3);
-        overlapping6_h1 <= overlapping_i(6);
-        overlapping7_h1 <= overlapping_i(7);
-      end if;
-      if strobe2_copy(41) = '1' then
-        compared10_h1 <= compared(10);
-        sign(0) <= sign_lane(0);
-        sign0_h3 <= sign(0);
-      end if;
-      if strobe2_copy(42) = '1' then
-        compared11_h1 <= compared(11);
-      end if;
-      if strobe2_copy(44) = '1' then
-        compared9_h1 <= compared(9);
-        sign(2) <= sign_lane(2);
-        sign(3) <= sign_lane(3);
-        sign3_h3 <= sign(3);
-        sign2_h3 <= sign(2);
-      end if;
-      if strobe0_copy(48) = '1' then
         compared_bound0_h2 <= compared_bound(0);
-        sign(5) <= sign_lane(0);
-        compared_bound1_h1 <= compared_bound(1);
-      end if;
-      if strobe1_copy(36) = '1' then
-        compared_bound5_h2 <= compared_bound(5);
-        sign(10) <= sign_lane(0);
-        sign(11) <= sign_lane(1);
-        sign(12) <= sign_lane(2);
-      end if;
-      if strobe0_copy(50) = '1' then
         compared_bound12_h2 <= compared_bound(12);
-        sign(7) <= sign_lane(2);
-        compared_bound2_h1 <= compared_bound(2);
-      end if;
-      if strobe1_copy(38) = '1' then
-        compared_bound8_h2 <= compared_bound(8);
-        compared_bound4_h2 <= compared_bound(4);
-        sign(13) <= sign_lane(3);
-      end if;
-      if strobe0_copy(52) = '1' then
         compared_bound13_h2 <= compared_bound(13);
         sign(4) <= sign_lane(4);
+        sign(5) <= sign_lane(0);
+        sign(6) <= sign_lane(1);
+        sign(7) <= sign_lane(2);
         sign(8) <= sign_lane(3);
-        boxes_apart_along(2) <= boxes_lane;
+        compared_bound1_h1 <= compared_bound(1);
+        compared_bound2_h1 <= compared_bound(2);
         for k in 0 to 8 loop
           separated_not_h2(k) <= not outside_i;
         end loop;
@@ -2432,6 +1663,9 @@ begin
         overlapping0_h2 <= overlapping_i(0);
         overlapping1_h2 <= overlapping_i(1);
         overlapping2_h2 <= overlapping_i(2);
+        overlapping4_h2 <= overlapping_i(4);
+        overlapping6_h2 <= overlapping6_h1;
+        overlapping7_h2 <= overlapping7_h1;
         overlapping0_h5 <= overlapping0_h2;
         overlapping1_h5 <= overlapping1_h2;
         overlapping2_h5 <= overlapping2_h2;
@@ -2469,32 +1703,6 @@ begin
         overlapping1_h38 <= overlapping1_h35;
         overlapping2_h38 <= overlapping2_h35;
         overlapping3_h3 <= overlapping3_h2;
-      end if;
-      if strobe1_copy(39) = '1' then
-        compared_bound14_h2 <= compared_bound(14);
-        sign(9) <= sign_lane(4);
-        boxes_apart_along(0) <= boxes_lane;
-        separated4_not_h36 <= separated4_not_h35;
-        separated6_not_h36 <= separated6_not_h35;
-        separated7_not_h36 <= separated7_not_h35;
-        overlapping4_not_h36 <= overlapping4_not_h35;
-        overlapping6_not_h36 <= overlapping6_not_h35;
-        overlapping7_not_h36 <= overlapping7_not_h35;
-        separated0_h1 <= separated_i(0);
-        separated0_h4 <= separated0_h1;
-        separated0_h7 <= separated0_h4;
-        separated0_h10 <= separated0_h7;
-        shift_z0_h1_copy <= shift(2)(0);
-      end if;
-      if strobe2_copy(43) = '1' then
-        sign(1) <= sign_lane(1);
-        compared_bound6_h1 <= compared_bound(6);
-        compared_bound7_h1 <= compared_bound(7);
-      end if;
-      if strobe0_copy(53) = '1' then
-        overlapping4_h2 <= overlapping_i(4);
-        overlapping6_h2 <= overlapping6_h1;
-        overlapping7_h2 <= overlapping7_h1;
         overlapping5_h1 <= overlapping_i(5);
         overlapping8_h1 <= overlapping_i(8);
         outside_h2 <= outside_i;
@@ -2509,9 +1717,194 @@ begin
         outside_h29 <= outside_h26;
         outside_h32 <= outside_h29;
         outside_h35 <= outside_h32;
-        pose_bypass_h7_copy <= pose_bypass_h6;
         outside <= outside_h35;
       end if;
+      if strobe(2) = '1' then
+        pose_bypass_h3 <= pose_bypass;
+        pose_bypass_h6 <= pose_bypass_h3;
+        difference(0) <= row(0);
+        difference(1) <= row(1);
+        difference(2) <= row(2);
+        difference_w0_h3 <= difference_w0;
+        coordinate_cut(0) <= lane_shifted(0);
+        coordinate_cut(1) <= lane_shifted(1);
+        coordinate_cut0_h3 <= coordinate_cut(0);
+        coordinate_cut1_h3 <= coordinate_cut(1);
+        carried_h1 <= carried;
+        coordinate_cut2_h2 <= coordinate_cut(2);
+        coordinate_cut3_h2 <= coordinate_cut(3);
+        coordinate_cut4_h1 <= coordinate_cut(4);
+        taken_x_h1 <= taken_x;
+        taken_y_h1 <= taken_y;
+        taken_z_h1 <= taken_z;
+        axis_level0_resized_less_choice_h3 <= axis_level0_resized_less_choice;
+        axis_level2_h3 <= axis_level(2);
+        moment_cut(4) <= moment_lane_cut(0);
+        moment_cut(5) <= moment_lane_cut(1);
+        moment_cut(6) <= moment_lane_cut(2);
+        moment_cut(7) <= moment_lane_cut(3);
+        moment_m2 <= moment_lane(0);
+        moment_n <= moment_lane(1);
+        coordinate_w0_h3 <= coordinate_w0;
+        coordinate_w0_h6 <= coordinate_w0_h3;
+        coordinate_w1_h3 <= coordinate_w1;
+        coordinate_w1_h6 <= coordinate_w1_h3;
+        coordinate_w1_h9 <= coordinate_w1_h6;
+        determinant_side22 <= dot_lane(0);
+        coordinate_w0_h9 <= coordinate_w0_h6;
+        coordinate_w2_h3 <= coordinate_w2;
+        coordinate_w2_h6 <= coordinate_w2_h3;
+        coordinate_w2_h9 <= coordinate_w2_h6;
+        dot_d1(0) <= dot_lane(1);
+        dot_d1(1) <= dot_lane(2);
+        dot_d1_0_h3 <= dot_d1(0);
+        dot_d1_1_h3 <= dot_d1(1);
+        coordinate_v2_h1 <= coordinate_v2;
+        coordinate_v1_h1 <= coordinate_v1;
+        for i in 0 to 2 loop
+          norm_x0_resized_third_h3(i) <= resize(coordinate_w0(i), 19);
+          norm_x1_resized_third_h3(i) <= resize(coordinate_w1(i), 19);
+        end loop;
+        length_measure(5) <= norm_lane(0);
+        length_measure(6) <= norm_lane(1);
+        length_measure(7) <= norm_lane(2);
+        for i in 0 to 2 loop
+          norm_x2_resized_h3(i) <= resize(coordinate_w2(i), 19);
+        end loop;
+        length_bound(6) <= length_first(0);
+        length_bound(7) <= length_first(1);
+        length_bound(8) <= length_first(2);
+        norm_of_moment(2) <= moment_norm_lane(0);
+        norm_of_moment(3) <= moment_norm_lane(1);
+        bound_plane_a1_sum_second_h3 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(1)(1), 30);
+        bound_plane_a2_sum_second_h3 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(1)(2), 30);
+        bound_corner_aligned_h1 <= append(bound_all_m, 1);
+        bound_corner_sum_h3 <= bound_corner_sum_h2;
+        bound_all_m_h1 <= bound_all_m;
+        length_measure0_plane_a0_h4 <= length_measure0_plane_a0_h3;
+        bound_plane_b1_result_h4 <= bound_plane_b1_result_h3;
+        bound_plane_b2_result_h4 <= bound_plane_b2_result_h3;
+        bound_of_a_aligned_second_h3 <= append(length_bound(8), 1);
+        face_of_vertex0_h2(0) <= face_of_vertex(0)(0);
+        face_of_vertex1_h2(0) <= face_of_vertex(1)(0);
+        bound_side02_sum_second_h3 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex0_h2(0), 30);
+        bound_side11_sum_sum_h2 <= resize(append(moment_bound(1), 1), 31) + resize(append(length_bound(6), 1), 31);
+        bound_side12_sum_sum_aligned_second_h3 <= append(length_bound(7), 1);
+        bound_side22_sum_second_h3 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex1_h2(0), 30);
+        compared14_h3 <= compared(14);
+        compared10_h1 <= compared(10);
+        compared11_h1 <= compared(11);
+        compared9_h1 <= compared(9);
+        sign(0) <= sign_lane(0);
+        sign(1) <= sign_lane(1);
+        sign(2) <= sign_lane(2);
+        sign(3) <= sign_lane(3);
+        sign(14) <= sign_lane(4);
+        compared_bound6_h1 <= compared_bound(6);
+        compared_bound7_h1 <= compared_bound(7);
+        sign3_h3 <= sign(3);
+        sign2_h3 <= sign(2);
+        sign0_h3 <= sign(0);
+        separated1_not_h34 <= separated1_not_h32;
+        separated5_not_h37 <= separated5_not_h35;
+        separated8_not_h37 <= separated8_not_h35;
+        overlapping5_not_h37 <= overlapping5_not_h35;
+        overlapping8_not_h37 <= overlapping8_not_h35;
+        separated6_h1 <= separated_i(6);
+        separated7_h1 <= separated_i(7);
+        separated1_h3 <= separated_i(1);
+        separated2_h2 <= separated_i(2);
+        separated3_h2 <= separated_i(3);
+        overlapping3_h2 <= overlapping_i(3);
+        overlapping6_h1 <= overlapping_i(6);
+        overlapping7_h1 <= overlapping_i(7);
+      end if;
+      if strobe(1) = '1' then
+        difference(6) <= row(0);
+        difference(7) <= row(1);
+        difference(8) <= row(2);
+        difference_v1_h10 <= difference_v1_h9;
+        difference_v2_h10 <= difference_v2_h9;
+        difference_w2_h3 <= difference_w2;
+        shift_h1 <= shift;
+        coordinate_cut(4) <= lane_shifted(0);
+        coordinate_cut0_h5 <= coordinate_cut0_h3;
+        coordinate_cut1_h5 <= coordinate_cut1_h3;
+        carried_h3 <= carried_h1;
+        shift_h4 <= shift_h1;
+        moment_cut(0) <= moment_lane_cut(0);
+        moment_cut(1) <= moment_lane_cut(1);
+        moment_cut(2) <= moment_lane_cut(2);
+        moment_cut(3) <= moment_lane_cut(3);
+        moment_m0 <= moment_lane(0);
+        moment_m1 <= moment_lane(1);
+        coordinate_v2_h3 <= coordinate_v2;
+        coordinate_v2_h6 <= coordinate_v2_h3;
+        determinant_plane_a1 <= dot_lane(0);
+        coordinate_v1_h3 <= coordinate_v1;
+        coordinate_v1_h6 <= coordinate_v1_h3;
+        determinant_plane_a2 <= dot_lane(1);
+        determinant_side21 <= dot_lane(3);
+        length_measure(2) <= norm_lane(0);
+        length_measure(3) <= norm_lane(1);
+        length_measure(4) <= norm_lane(2);
+        level_h4 <= level_h3;
+        length_bound(3) <= length_first(0);
+        length_bound(4) <= length_first(1);
+        length_bound(5) <= length_first(2);
+        norm_of_moment(0) <= moment_norm_lane(0);
+        norm_of_moment(1) <= moment_norm_lane(1);
+        moment_bound(2) <= moment_first(0);
+        moment_bound(3) <= moment_first(1);
+        length_measure0_plane_a0_h3 <= length_measure0_plane_a0;
+        bound_plane_a0_sum_second_h3 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(1)(0), 30);
+        bound_plane_a1_sum_first_result_h3 <= bound_plane_a1_sum_first_result;
+        bound_plane_a2_sum_first_result_h3 <= bound_plane_a2_sum_first_result;
+        bound_corner_sum_h2 <= resize(resize(length_bound(5), 30) + resize(length_bound(6), 30), 31) +
+            resize(length_bound(7), 31);
+        bound_plane_b1_result_h3 <= bound_plane_b1_result;
+        bound_plane_b2_result_h3 <= bound_plane_b2_result;
+        length_measure0_ends0_h3 <= length_measure0_ends0;
+        bound_side10_sum_sum_aligned_second_h3 <= append(length_bound(5), 1);
+        bound_side10_result_h3 <= bound_side10_result;
+        bound_side11_result_h3 <= bound_side11_result;
+        bound_side12_result_h3 <= bound_side12_result;
+        length_measure0_ends1_h3 <= length_measure0_ends1;
+        compared13_h3 <= compared(13);
+        compared_bound5_h2 <= compared_bound(5);
+        compared_bound8_h2 <= compared_bound(8);
+        compared_bound4_h2 <= compared_bound(4);
+        compared_bound14_h2 <= compared_bound(14);
+        sign(9) <= sign_lane(4);
+        sign(10) <= sign_lane(0);
+        sign(11) <= sign_lane(1);
+        sign(12) <= sign_lane(2);
+        sign(13) <= sign_lane(3);
+        separated4_not_h36 <= separated4_not_h35;
+        separated6_not_h36 <= separated6_not_h35;
+        separated7_not_h36 <= separated7_not_h35;
+        overlapping4_not_h36 <= overlapping4_not_h35;
+        overlapping6_not_h36 <= overlapping6_not_h35;
+        overlapping7_not_h36 <= overlapping7_not_h35;
+        separated0_h1 <= separated_i(0);
+        separated0_h4 <= separated0_h1;
+        separated0_h7 <= separated0_h4;
+        separated0_h10 <= separated0_h7;
+      end if;
+      for k in 0 to 1 loop
+        if strobe(1) = '1' then
+          face_of_vertex_h1(k)(0) <= face_of_vertex(k)(0);
+        end if;
+        if strobe(2) = '1' then
+          face_of_vertex_h1(k)(1) <= face_of_vertex(k)(1);
+          face_of_vertex_h1(k)(2) <= face_of_vertex(k)(2);
+        end if;
+      end loop;
+      for k in 0 to 2 loop
+        if strobe((k + 1) mod 3) = '1' then
+          boxes_apart_along(k) <= boxes_lane;
+        end if;
+      end loop;
       if in_phase_0 = '1' then
         busy_2 <= holds(0);
         busy_8 <= holds(2);

@@ -130,50 +130,11 @@ architecture rtl of volume_path is
   signal busy_2 : std_logic := '0';  -- set in clocks 1 to 4 of a pair
   signal busy_6 : std_logic := '0';  -- set in clocks 5 to 8 of a pair
   signal busy_2_or_busy_6 : std_logic;
-  signal axis_bound_operand_select_at_2_copy : std_logic_vector(13 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal b_chosen0_0_select_at_1_copy : std_logic_vector(1 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe3_copy : std_logic_vector(20 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe1_copy : std_logic_vector(3 downto 0) := (others => '0');  -- for at most 64 loads each
-  signal strobe0_copy : std_logic := '0';  -- for at most 64 loads each
-  signal d_lane_m0_select_at_0_copy : unsigned(1 downto 0) := (others => '0');  -- for at most 64 loads each
   signal term0_unit_codes : signed_10_x6_x9_t;
   signal term1_unit_codes : signed_10_x6_x9_t;
   signal term2_unit_codes : signed_10_x6_x9_t;
   signal s_unit_codes : signed_10_x3_x9_t;
   signal apart_unit_bound : signed_28_x9_t;
-  attribute keep of
-    d_lane_m_select_at_0,
-    strobe,
-    b_chosen_select_at_1,
-    axis_bound_operand_select_at_2,
-    axis_bound_operand_select_at_2_copy,
-    b_chosen0_0_select_at_1_copy,
-    strobe3_copy,
-    strobe1_copy,
-    strobe0_copy,
-    d_lane_m0_select_at_0_copy : signal is "true";
-  attribute equivalent_register_removal of
-    d_lane_m_select_at_0,
-    strobe,
-    b_chosen_select_at_1,
-    axis_bound_operand_select_at_2,
-    axis_bound_operand_select_at_2_copy,
-    b_chosen0_0_select_at_1_copy,
-    strobe3_copy,
-    strobe1_copy,
-    strobe0_copy,
-    d_lane_m0_select_at_0_copy : signal is "no";
-  attribute syn_preserve of
-    d_lane_m_select_at_0,
-    strobe,
-    b_chosen_select_at_1,
-    axis_bound_operand_select_at_2,
-    axis_bound_operand_select_at_2_copy,
-    b_chosen0_0_select_at_1_copy,
-    strobe3_copy,
-    strobe1_copy,
-    strobe0_copy,
-    d_lane_m0_select_at_0_copy : signal is true;
 begin
   -- Strobes, one per phase
   strobes : process (clk)
@@ -182,13 +143,6 @@ begin
       for k in 0 to 3 loop
         strobe(k) <= flag(known(phase) = (k + 3) mod 4) and in_flight;
       end loop;
-      for k in 0 to 20 loop
-        strobe3_copy(k) <= flag(known(phase) = 2) and in_flight;
-      end loop;
-      for k in 0 to 3 loop
-        strobe1_copy(k) <= flag(known(phase) = 0) and in_flight;
-      end loop;
-      strobe0_copy <= flag(known(phase) = 3) and in_flight;
     end if;
   end process strobes;
   in_phase_3 <= flag(known(phase) = 3);
@@ -203,12 +157,12 @@ begin
     query_pose(1) when known(d_lane_m_select_at_0) = 1 else
     query_pose(2);
   d_lane_t <=
-    query_shift(0) when known(d_lane_m0_select_at_0_copy) = 0 else
-    query_shift(1) when known(d_lane_m0_select_at_0_copy) = 1 else
+    query_shift(0) when known(d_lane_m_select_at_0) = 0 else
+    query_shift(1) when known(d_lane_m_select_at_0) = 1 else
     query_shift(2);
   d_lane_o_a <=
-    a_origin(0) when known(d_lane_m0_select_at_0_copy) = 0 else
-    a_origin(1) when known(d_lane_m0_select_at_0_copy) = 1 else
+    a_origin(0) when known(d_lane_m_select_at_0) = 0 else
+    a_origin(1) when known(d_lane_m_select_at_0) = 1 else
     a_origin(2);
 
   -- Clock 1
@@ -220,24 +174,7 @@ begin
       d_lane_o_a_d1 <= d_lane_o_a;
     end if;
   end process clock_1;
-  b_chosen(0) <= b_code1_h2(0) when b_chosen_select_at_1(0) = '1' else b_code(0)(0);
-  b_chosen(1) <= b_code1_h2(1) when b_chosen_select_at_1(0) = '1' else b_code(0)(1);
-  b_chosen(2) <= b_code1_h2(2) when b_chosen_select_at_1(0) = '1' else b_code(0)(2);
-  b_chosen(3) <= b_code1_h2(3) when b_chosen_select_at_1(0) = '1' else b_code(0)(3);
-  b_chosen(4) <= b_code1_h2(4) when b_chosen_select_at_1(0) = '1' else b_code(0)(4);
-  b_chosen(5) <= b_code1_h2(5) when b_chosen_select_at_1(0) = '1' else b_code(0)(5);
-  b_chosen(6) <= b_code1_h2(6) when b_chosen0_0_select_at_1_copy(0) = '1' else b_code(0)(6);
-  b_chosen(7) <= b_code1_h2(7) when b_chosen0_0_select_at_1_copy(0) = '1' else b_code(0)(7);
-  b_chosen(8) <= b_code1_h2(8) when b_chosen0_0_select_at_1_copy(0) = '1' else b_code(0)(8);
-  b_chosen(9) <= b_code1_h2(9) when b_chosen0_0_select_at_1_copy(0) = '1' else b_code(0)(9);
-  b_chosen(10) <= b_code1_h2(10) when b_chosen0_0_select_at_1_copy(0) = '1' else b_code(0)(10);
-  b_chosen(11) <= b_code1_h2(11) when b_chosen0_0_select_at_1_copy(0) = '1' else b_code(0)(11);
-  b_chosen(12) <= b_code1_h2(12) when b_chosen0_0_select_at_1_copy(1) = '1' else b_code(0)(12);
-  b_chosen(13) <= b_code1_h2(13) when b_chosen0_0_select_at_1_copy(1) = '1' else b_code(0)(13);
-  b_chosen(14) <= b_code1_h2(14) when b_chosen0_0_select_at_1_copy(1) = '1' else b_code(0)(14);
-  b_chosen(15) <= b_code1_h2(15) when b_chosen0_0_select_at_1_copy(1) = '1' else b_code(0)(15);
-  b_chosen(16) <= b_code1_h2(16) when b_chosen0_0_select_at_1_copy(1) = '1' else b_code(0)(16);
-  b_chosen(17) <= b_code1_h2(17) when b_chosen0_0_select_at_1_copy(1) = '1' else b_code(0)(17);
+  b_chosen <= b_code1_h2 when b_chosen_select_at_1(0) = '1' else b_code(0);
   d_lane_unit : entity work.volume_origin_row
     port map (clk => clk, m => d_lane_m_d1, t => d_lane_t_d1, o_b => b_origin_h1, o_a => d_lane_o_a_d1, d => d_lane);
 
@@ -248,60 +185,33 @@ begin
       b_chosen_d1 <= b_chosen;
     end if;
   end process clock_2;
-  term0_choice(0) <= query_row1_h4.choice(0) when axis_bound_operand_select_at_2_copy(1) = '1' else
-      query_row(0).choice(0);
-  term0_choice(1) <= query_row3_h4.choice(0) when axis_bound_operand_select_at_2_copy(2) = '1' else
-      query_row(2).choice(0);
-  term0_choice(2) <= query_row5_h4.choice(0) when axis_bound_operand_select_at_2_copy(4) = '1' else
-      query_row(4).choice(0);
-  term0_choice(3) <= query_row7_h4.choice(0) when axis_bound_operand_select_at_2_copy(5) = '1' else
-      query_row(6).choice(0);
-  term0_choice(4) <= query_row9_h4.choice(0) when axis_bound_operand_select_at_2_copy(6) = '1' else
-      query_row(8).choice(0);
-  term0_choice(5) <= query_row11_h4.choice(0) when axis_bound_operand_select_at_2_copy(8) = '1' else
-      query_row(10).choice(0);
-  term0_choice(6) <= query_row13_h4.choice(0) when axis_bound_operand_select_at_2_copy(9) = '1' else
-      query_row(12).choice(0);
-  term0_choice(7) <= query_row15_h4.choice(0) when axis_bound_operand_select_at_2_copy(10) = '1' else
-      query_row(14).choice(0);
-  term0_choice(8) <= query_row17_h4.choice(0) when axis_bound_operand_select_at_2_copy(12) = '1' else
-      query_row(16).choice(0);
-  term1_choice(0) <= query_row1_h4.choice(1) when axis_bound_operand_select_at_2_copy(1) = '1' else
-      query_row(0).choice(1);
-  term1_choice(1) <= query_row3_h4.choice(1) when axis_bound_operand_select_at_2_copy(2) = '1' else
-      query_row(2).choice(1);
-  term1_choice(2) <= query_row5_h4.choice(1) when axis_bound_operand_select_at_2_copy(4) = '1' else
-      query_row(4).choice(1);
-  term1_choice(3) <= query_row7_h4.choice(1) when axis_bound_operand_select_at_2_copy(5) = '1' else
-      query_row(6).choice(1);
-  term1_choice(4) <= query_row9_h4.choice(1) when axis_bound_operand_select_at_2_copy(6) = '1' else
-      query_row(8).choice(1);
-  term1_choice(5) <= query_row11_h4.choice(1) when axis_bound_operand_select_at_2_copy(8) = '1' else
-      query_row(10).choice(1);
-  term1_choice(6) <= query_row13_h4.choice(1) when axis_bound_operand_select_at_2_copy(9) = '1' else
-      query_row(12).choice(1);
-  term1_choice(7) <= query_row15_h4.choice(1) when axis_bound_operand_select_at_2_copy(10) = '1' else
-      query_row(14).choice(1);
-  term1_choice(8) <= query_row17_h4.choice(1) when axis_bound_operand_select_at_2_copy(12) = '1' else
-      query_row(16).choice(1);
-  term2_choice(0) <= query_row1_h4.choice(2) when axis_bound_operand_select_at_2_copy(1) = '1' else
-      query_row(0).choice(2);
-  term2_choice(1) <= query_row3_h4.choice(2) when axis_bound_operand_select_at_2_copy(2) = '1' else
-      query_row(2).choice(2);
-  term2_choice(2) <= query_row5_h4.choice(2) when axis_bound_operand_select_at_2_copy(4) = '1' else
-      query_row(4).choice(2);
-  term2_choice(3) <= query_row7_h4.choice(2) when axis_bound_operand_select_at_2_copy(5) = '1' else
-      query_row(6).choice(2);
-  term2_choice(4) <= query_row9_h4.choice(2) when axis_bound_operand_select_at_2_copy(7) = '1' else
-      query_row(8).choice(2);
-  term2_choice(5) <= query_row11_h4.choice(2) when axis_bound_operand_select_at_2_copy(8) = '1' else
-      query_row(10).choice(2);
-  term2_choice(6) <= query_row13_h4.choice(2) when axis_bound_operand_select_at_2_copy(9) = '1' else
-      query_row(12).choice(2);
-  term2_choice(7) <= query_row15_h4.choice(2) when axis_bound_operand_select_at_2_copy(11) = '1' else
-      query_row(14).choice(2);
-  term2_choice(8) <= query_row17_h4.choice(2) when axis_bound_operand_select_at_2_copy(12) = '1' else
-      query_row(16).choice(2);
+  term0_choice(0) <= query_row1_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(0).choice(0);
+  term0_choice(1) <= query_row3_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(2).choice(0);
+  term0_choice(2) <= query_row5_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(4).choice(0);
+  term0_choice(3) <= query_row7_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(6).choice(0);
+  term0_choice(4) <= query_row9_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(8).choice(0);
+  term0_choice(5) <= query_row11_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(10).choice(0);
+  term0_choice(6) <= query_row13_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(12).choice(0);
+  term0_choice(7) <= query_row15_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(14).choice(0);
+  term0_choice(8) <= query_row17_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(16).choice(0);
+  term1_choice(0) <= query_row1_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(0).choice(1);
+  term1_choice(1) <= query_row3_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(2).choice(1);
+  term1_choice(2) <= query_row5_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(4).choice(1);
+  term1_choice(3) <= query_row7_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(6).choice(1);
+  term1_choice(4) <= query_row9_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(8).choice(1);
+  term1_choice(5) <= query_row11_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(10).choice(1);
+  term1_choice(6) <= query_row13_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(12).choice(1);
+  term1_choice(7) <= query_row15_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(14).choice(1);
+  term1_choice(8) <= query_row17_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(16).choice(1);
+  term2_choice(0) <= query_row1_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(0).choice(2);
+  term2_choice(1) <= query_row3_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(2).choice(2);
+  term2_choice(2) <= query_row5_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(4).choice(2);
+  term2_choice(3) <= query_row7_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(6).choice(2);
+  term2_choice(4) <= query_row9_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(8).choice(2);
+  term2_choice(5) <= query_row11_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(10).choice(2);
+  term2_choice(6) <= query_row13_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(12).choice(2);
+  term2_choice(7) <= query_row15_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(14).choice(2);
+  term2_choice(8) <= query_row17_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(16).choice(2);
   term0_unit_codes_0_each : for k in 0 to 8 generate
     term0_unit_codes(k)(0) <= b_chosen_d1(0);
     term0_unit_codes(k)(1) <= b_chosen_d1(1);
@@ -339,63 +249,60 @@ begin
       term0_d1 <= term0;
       term1_d1 <= term1;
       term2_d1 <= term2;
-      s_factors_d1(0)(0) <= choose(axis_bound_operand_select_at_2_copy(1), query_row1_h4.factor(0),
-          query_row(0).factor(0));
-      s_factors_d1(0)(1) <= choose(axis_bound_operand_select_at_2_copy(1), query_row1_h4.factor(1),
-          query_row(0).factor(1));
-      s_factors_d1(0)(2) <= choose(axis_bound_operand_select_at_2_copy(2), query_row1_h4.factor(2),
-          query_row(0).factor(2));
-      if axis_bound_operand_select_at_2_copy(3) = '1' then
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(0) <= query_row1_h4.factor;
+      else
+        s_factors_d1(0) <= query_row(0).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
         s_factors_d1(1) <= query_row3_h4.factor;
       else
         s_factors_d1(1) <= query_row(2).factor;
       end if;
-      if axis_bound_operand_select_at_2_copy(4) = '1' then
+      if axis_bound_operand_select_at_2 = '1' then
         s_factors_d1(2) <= query_row5_h4.factor;
       else
         s_factors_d1(2) <= query_row(4).factor;
       end if;
-      s_factors_d1(3)(0) <= choose(axis_bound_operand_select_at_2_copy(5), query_row7_h4.factor(0),
-          query_row(6).factor(0));
-      s_factors_d1(3)(1) <= choose(axis_bound_operand_select_at_2_copy(6), query_row7_h4.factor(1),
-          query_row(6).factor(1));
-      s_factors_d1(3)(2) <= choose(axis_bound_operand_select_at_2_copy(6), query_row7_h4.factor(2),
-          query_row(6).factor(2));
-      if axis_bound_operand_select_at_2_copy(7) = '1' then
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(3) <= query_row7_h4.factor;
+      else
+        s_factors_d1(3) <= query_row(6).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
         s_factors_d1(4) <= query_row9_h4.factor;
       else
         s_factors_d1(4) <= query_row(8).factor;
       end if;
-      if axis_bound_operand_select_at_2_copy(8) = '1' then
+      if axis_bound_operand_select_at_2 = '1' then
         s_factors_d1(5) <= query_row11_h4.factor;
       else
         s_factors_d1(5) <= query_row(10).factor;
       end if;
-      s_factors_d1(6)(0) <= choose(axis_bound_operand_select_at_2_copy(9), query_row13_h4.factor(0),
-          query_row(12).factor(0));
-      s_factors_d1(6)(1) <= choose(axis_bound_operand_select_at_2_copy(10), query_row13_h4.factor(1),
-          query_row(12).factor(1));
-      s_factors_d1(6)(2) <= choose(axis_bound_operand_select_at_2_copy(10), query_row13_h4.factor(2),
-          query_row(12).factor(2));
-      if axis_bound_operand_select_at_2_copy(11) = '1' then
+      if axis_bound_operand_select_at_2 = '1' then
+        s_factors_d1(6) <= query_row13_h4.factor;
+      else
+        s_factors_d1(6) <= query_row(12).factor;
+      end if;
+      if axis_bound_operand_select_at_2 = '1' then
         s_factors_d1(7) <= query_row15_h4.factor;
       else
         s_factors_d1(7) <= query_row(14).factor;
       end if;
-      if axis_bound_operand_select_at_2_copy(12) = '1' then
+      if axis_bound_operand_select_at_2 = '1' then
         s_factors_d1(8) <= query_row17_h4.factor;
       else
         s_factors_d1(8) <= query_row(16).factor;
       end if;
-      s_rest_d1(0) <= choose(axis_bound_operand_select_at_2_copy(2), query_row1_h4.rest, query_row(0).rest);
-      s_rest_d1(1) <= choose(axis_bound_operand_select_at_2_copy(3), query_row3_h4.rest, query_row(2).rest);
-      s_rest_d1(2) <= choose(axis_bound_operand_select_at_2_copy(5), query_row5_h4.rest, query_row(4).rest);
-      s_rest_d1(3) <= choose(axis_bound_operand_select_at_2_copy(6), query_row7_h4.rest, query_row(6).rest);
-      s_rest_d1(4) <= choose(axis_bound_operand_select_at_2_copy(7), query_row9_h4.rest, query_row(8).rest);
-      s_rest_d1(5) <= choose(axis_bound_operand_select_at_2_copy(9), query_row11_h4.rest, query_row(10).rest);
-      s_rest_d1(6) <= choose(axis_bound_operand_select_at_2_copy(10), query_row13_h4.rest, query_row(12).rest);
-      s_rest_d1(7) <= choose(axis_bound_operand_select_at_2_copy(11), query_row15_h4.rest, query_row(14).rest);
-      s_rest_d1(8) <= choose(axis_bound_operand_select_at_2_copy(13), query_row17_h4.rest, query_row(16).rest);
+      s_rest_d1(0) <= choose(axis_bound_operand_select_at_2, query_row1_h4.rest, query_row(0).rest);
+      s_rest_d1(1) <= choose(axis_bound_operand_select_at_2, query_row3_h4.rest, query_row(2).rest);
+      s_rest_d1(2) <= choose(axis_bound_operand_select_at_2, query_row5_h4.rest, query_row(4).rest);
+      s_rest_d1(3) <= choose(axis_bound_operand_select_at_2, query_row7_h4.rest, query_row(6).rest);
+      s_rest_d1(4) <= choose(axis_bound_operand_select_at_2, query_row9_h4.rest, query_row(8).rest);
+      s_rest_d1(5) <= choose(axis_bound_operand_select_at_2, query_row11_h4.rest, query_row(10).rest);
+      s_rest_d1(6) <= choose(axis_bound_operand_select_at_2, query_row13_h4.rest, query_row(12).rest);
+      s_rest_d1(7) <= choose(axis_bound_operand_select_at_2, query_row15_h4.rest, query_row(14).rest);
+      s_rest_d1(8) <= choose(axis_bound_operand_select_at_2, query_row17_h4.rest, query_row(16).rest);
       ceiling_h2_d1 <= ceiling_h2;
     end if;
   end process clock_3;
@@ -432,60 +339,60 @@ begin
         axis_bound0_operand_d1(0) <= axis_bound(0)(0);
       end if;
       axis_bound0_operand_d1(1) <= choose(axis_bound_operand_select_at_2, axis_bound_y_h2(1), axis_bound(1)(0));
-      axis_bound0_operand_d1(2) <= choose(axis_bound_operand_select_at_2_copy(0), axis_bound(2)(1), axis_bound(2)(0));
-      if axis_bound_operand_select_at_2_copy(1) = '1' then
+      axis_bound0_operand_d1(2) <= choose(axis_bound_operand_select_at_2, axis_bound(2)(1), axis_bound(2)(0));
+      if axis_bound_operand_select_at_2 = '1' then
         axis_bound1_z_operand_d1 <= axis_bound(2)(0);
       else
         axis_bound1_z_operand_d1 <= axis_bound(2)(1);
       end if;
-      if axis_bound_operand_select_at_2_copy(0) = '1' then
+      if axis_bound_operand_select_at_2 = '1' then
         bound4_operand_second_d1 <= axis_bound_y_h2(0);
       else
         bound4_operand_second_d1 <= axis_bound(1)(1);
       end if;
       s_d2 <= s_d1;
       for m in 0 to 1 loop
-        if axis_bound_operand_select_at_2_copy(2) = '1' then
+        if axis_bound_operand_select_at_2 = '1' then
           v_x_d1(0)(m) <= a_code0_h8(m);
         else
           v_x_d1(0)(m) <= a_code_h4(m)(1);
         end if;
-        if axis_bound_operand_select_at_2_copy(m + 3) = '1' then
+        if axis_bound_operand_select_at_2 = '1' then
           v_x_d1(1)(m) <= a_code2_h8(m);
         else
           v_x_d1(1)(m) <= a_code_h4(m)(3);
         end if;
-        if axis_bound_operand_select_at_2_copy(5) = '1' then
+        if axis_bound_operand_select_at_2 = '1' then
           v_x_d1(2)(m) <= a_code4_h8(m);
         else
           v_x_d1(2)(m) <= a_code_h4(m)(5);
         end if;
-        if axis_bound_operand_select_at_2_copy(6) = '1' then
+        if axis_bound_operand_select_at_2 = '1' then
           v_x_d1(3)(m) <= a_code6_h8(m);
         else
           v_x_d1(3)(m) <= a_code_h4(m)(7);
         end if;
-        if axis_bound_operand_select_at_2_copy(m + 7) = '1' then
+        if axis_bound_operand_select_at_2 = '1' then
           v_x_d1(4)(m) <= a_code8_h8(m);
         else
           v_x_d1(4)(m) <= a_code_h4(m)(9);
         end if;
-        if axis_bound_operand_select_at_2_copy(9) = '1' then
+        if axis_bound_operand_select_at_2 = '1' then
           v_x_d1(5)(m) <= a_code10_h8(m);
         else
           v_x_d1(5)(m) <= a_code_h4(m)(11);
         end if;
-        if axis_bound_operand_select_at_2_copy(10) = '1' then
+        if axis_bound_operand_select_at_2 = '1' then
           v_x_d1(6)(m) <= a_code12_h8(m);
         else
           v_x_d1(6)(m) <= a_code_h4(m)(13);
         end if;
-        if axis_bound_operand_select_at_2_copy(m + 11) = '1' then
+        if axis_bound_operand_select_at_2 = '1' then
           v_x_d1(7)(m) <= a_code14_h8(m);
         else
           v_x_d1(7)(m) <= a_code_h4(m)(15);
         end if;
-        if axis_bound_operand_select_at_2_copy(13) = '1' then
+        if axis_bound_operand_select_at_2 = '1' then
           v_x_d1(8)(m) <= a_code16_h8(m);
         else
           v_x_d1(8)(m) <= a_code_h4(m)(17);
@@ -576,19 +483,12 @@ begin
     if rising_edge(clk) then
       if holds0_or_in_phase_3 = '1' then
         d_lane_m_select_at_0 <= to_unsigned(d_lane_m_select_at_0_table(to_integer(known(phase))), 2);
-        d_lane_m0_select_at_0_copy <= to_unsigned(d_lane_m_select_at_0_table(to_integer(known(phase))), 2);
       end if;
       if holds(0) = '1' then
         b_chosen_select_at_1(0) <= b_chosen_select_at_1_0_table(to_integer(known(phase)));
-        for k in 0 to 1 loop
-          b_chosen0_0_select_at_1_copy(k) <= b_chosen_select_at_1_0_table(to_integer(known(phase)));
-        end loop;
       end if;
       if busy_2_or_busy_6 = '1' then
         axis_bound_operand_select_at_2 <= axis_bound_operand_select_at_2_table(to_integer(known(phase)));
-        for k in 0 to 13 loop
-          axis_bound_operand_select_at_2_copy(k) <= axis_bound_operand_select_at_2_table(to_integer(known(phase)));
-        end loop;
       end if;
     end if;
   end process selectors;
@@ -599,205 +499,43 @@ begin
     if rising_edge(clk) then
       if strobe(0) = '1' then
         b_origin_h1 <= b_origin;
-      end if;
-      if strobe(3) = '1' then
-        d(0) <= d_lane;
-        query_error_resized_h4(0) <= signed(resize(query_error(0), 26));
-      end if;
-      if strobe0_copy = '1' then
-        d(1) <= d_lane;
         survive1_and_h13 <= survive_and_h12(1);
         survive3_and_h13 <= survive_and_h12(3);
       end if;
-      if strobe(1) = '1' then
-        d(2) <= d_lane;
-        query_error_resized_h6(0) <= query_error_resized_h4(0);
-      end if;
-      if strobe3_copy(0) = '1' then
-        query_error_resized_h4(1) <= signed(resize(query_error(1), 26));
-        query_error_resized_h4(2) <= signed(resize(query_error(2), 26));
-      end if;
-      if strobe1_copy(0) = '1' then
-        query_error_resized_h6(1) <= query_error_resized_h4(1);
-        query_error_resized_h6(2) <= query_error_resized_h4(2);
-        b_code1_h2(0) <= b_code(1)(0);
-      end if;
-      if strobe1_copy(1) = '1' then
-        b_code1_h2(1) <= b_code(1)(1);
-        b_code1_h2(2) <= b_code(1)(2);
-        b_code1_h2(3) <= b_code(1)(3);
-        b_code1_h2(4) <= b_code(1)(4);
-        b_code1_h2(5) <= b_code(1)(5);
-        b_code1_h2(6) <= b_code(1)(6);
-      end if;
-      if strobe1_copy(2) = '1' then
-        b_code1_h2(7) <= b_code(1)(7);
-        b_code1_h2(8) <= b_code(1)(8);
-        b_code1_h2(9) <= b_code(1)(9);
-        b_code1_h2(10) <= b_code(1)(10);
-        b_code1_h2(11) <= b_code(1)(11);
-        b_code1_h2(12) <= b_code(1)(12);
-      end if;
-      if strobe1_copy(3) = '1' then
-        b_code1_h2(13) <= b_code(1)(13);
-        b_code1_h2(14) <= b_code(1)(14);
-        b_code1_h2(15) <= b_code(1)(15);
-        b_code1_h2(16) <= b_code(1)(16);
-        b_code1_h2(17) <= b_code(1)(17);
-        ceiling_h2 <= to_unsigned(ceiling_table(to_integer(known(b_exponent))), 11);
-      end if;
-      if strobe3_copy(1) = '1' then
-        axis_bound_x1_h2 <= axis_bound(0)(1);
-        axis_bound_y_h2(1) <= axis_bound(1)(1);
-      end if;
-      if strobe3_copy(2) = '1' then
-        axis_bound_y_h2(0) <= axis_bound(1)(0);
-        query_row1_h4.choice <= query_row(1).choice;
-        query_row1_h4.factor(0) <= query_row(1).factor(0);
-        query_row1_h4.factor(1) <= query_row(1).factor(1);
-      end if;
-      if strobe3_copy(3) = '1' then
-        query_row1_h4.factor(2) <= query_row(1).factor(2);
-        query_row1_h4.rest <= query_row(1).rest;
-        b_exponent_h4 <= b_exponent;
-        a_exponent_h4 <= a_exponent;
-      end if;
-      if strobe3_copy(4) = '1' then
-        query_row3_h4.choice <= query_row(3).choice;
-        query_row3_h4.factor(0) <= query_row(3).factor(0);
-        query_row3_h4.factor(1) <= query_row(3).factor(1);
-      end if;
-      if strobe3_copy(5) = '1' then
-        query_row3_h4.factor(2) <= query_row(3).factor(2);
-        query_row3_h4.rest <= query_row(3).rest;
-      end if;
-      if strobe3_copy(6) = '1' then
-        query_row5_h4.choice <= query_row(5).choice;
-        query_row5_h4.factor(0) <= query_row(5).factor(0);
-        query_row5_h4.factor(1) <= query_row(5).factor(1);
-      end if;
-      if strobe3_copy(7) = '1' then
-        query_row5_h4.factor(2) <= query_row(5).factor(2);
-        query_row5_h4.rest <= query_row(5).rest;
-      end if;
-      if strobe3_copy(8) = '1' then
-        query_row7_h4.choice <= query_row(7).choice;
-        query_row7_h4.factor(0) <= query_row(7).factor(0);
-        query_row7_h4.factor(1) <= query_row(7).factor(1);
-      end if;
-      if strobe3_copy(9) = '1' then
-        query_row7_h4.factor(2) <= query_row(7).factor(2);
-        query_row7_h4.rest <= query_row(7).rest;
-      end if;
-      if strobe3_copy(10) = '1' then
-        query_row9_h4.choice <= query_row(9).choice;
-        query_row9_h4.factor(0) <= query_row(9).factor(0);
-        query_row9_h4.factor(1) <= query_row(9).factor(1);
-      end if;
-      if strobe3_copy(11) = '1' then
-        query_row9_h4.factor(2) <= query_row(9).factor(2);
-        query_row9_h4.rest <= query_row(9).rest;
-      end if;
-      if strobe3_copy(12) = '1' then
-        query_row11_h4.choice <= query_row(11).choice;
-        query_row11_h4.factor(0) <= query_row(11).factor(0);
-        query_row11_h4.factor(1) <= query_row(11).factor(1);
-      end if;
-      if strobe3_copy(13) = '1' then
-        query_row11_h4.factor(2) <= query_row(11).factor(2);
-        query_row11_h4.rest <= query_row(11).rest;
-      end if;
-      if strobe3_copy(14) = '1' then
-        query_row13_h4.choice <= query_row(13).choice;
-        query_row13_h4.factor(0) <= query_row(13).factor(0);
-        query_row13_h4.factor(1) <= query_row(13).factor(1);
-      end if;
-      if strobe3_copy(15) = '1' then
-        query_row13_h4.factor(2) <= query_row(13).factor(2);
-        query_row13_h4.rest <= query_row(13).rest;
-      end if;
-      if strobe3_copy(16) = '1' then
-        query_row15_h4.choice <= query_row(15).choice;
-        query_row15_h4.factor(0) <= query_row(15).factor(0);
-        query_row15_h4.factor(1) <= query_row(15).factor(1);
-      end if;
-      if strobe3_copy(17) = '1' then
-        query_row15_h4.factor(2) <= query_row(15).factor(2);
-        query_row15_h4.rest <= query_row(15).rest;
-      end if;
-      if strobe3_copy(18) = '1' then
-        query_row17_h4.choice <= query_row(17).choice;
-        query_row17_h4.factor(0) <= query_row(17).factor(0);
-        query_row17_h4.factor(1) <= query_row(17).factor(1);
-      end if;
-      if strobe3_copy(19) = '1' then
-        query_row17_h4.factor(2) <= query_row(17).factor(2);
-        query_row17_h4.rest <= query_row(17).rest;
-      end if;
-      if strobe(2) = '1' then
-        b_exponent_h7 <= b_exponent_h4;
-        a_exponent_h7 <= a_exponent_h4;
-      end if;
-      for k in 0 to 1 loop
-        if strobe3_copy(k + 3) = '1' then
-          a_code_h4(k)(0) <= a_code(k)(0);
-          a_code_h4(k)(1) <= a_code(k)(1);
-          a_code0_h8(k) <= a_code_h4(k)(0);
-        end if;
-        if strobe3_copy(k + 5) = '1' then
-          a_code_h4(k)(2) <= a_code(k)(2);
-          a_code_h4(k)(3) <= a_code(k)(3);
-          a_code2_h8(k) <= a_code_h4(k)(2);
-        end if;
-        if strobe3_copy(k + 7) = '1' then
-          a_code_h4(k)(4) <= a_code(k)(4);
-          a_code_h4(k)(5) <= a_code(k)(5);
-          a_code4_h8(k) <= a_code_h4(k)(4);
-        end if;
-        if strobe3_copy(k + 9) = '1' then
-          a_code_h4(k)(6) <= a_code(k)(6);
-          a_code_h4(k)(7) <= a_code(k)(7);
-          a_code6_h8(k) <= a_code_h4(k)(6);
-        end if;
-        if strobe3_copy(k + 11) = '1' then
-          a_code_h4(k)(8) <= a_code(k)(8);
-          a_code_h4(k)(9) <= a_code(k)(9);
-          a_code8_h8(k) <= a_code_h4(k)(8);
-        end if;
-        if strobe3_copy(k + 13) = '1' then
-          a_code_h4(k)(10) <= a_code(k)(10);
-          a_code_h4(k)(11) <= a_code(k)(11);
-          a_code10_h8(k) <= a_code_h4(k)(10);
-        end if;
-        if strobe3_copy(k + 15) = '1' then
-          a_code_h4(k)(12) <= a_code(k)(12);
-          a_code_h4(k)(13) <= a_code(k)(13);
-          a_code12_h8(k) <= a_code_h4(k)(12);
-        end if;
-        if strobe3_copy(k + 17) = '1' then
-          a_code_h4(k)(14) <= a_code(k)(14);
-          a_code_h4(k)(15) <= a_code(k)(15);
-          a_code14_h8(k) <= a_code_h4(k)(14);
-        end if;
-        if strobe3_copy(k + 19) = '1' then
-          a_code_h4(k)(16) <= a_code(k)(16);
-          a_code_h4(k)(17) <= a_code(k)(17);
-          a_code16_h8(k) <= a_code_h4(k)(16);
-        end if;
-        if strobe1_copy(3) = '1' then
-          apart_found_word_captured_first(k)(0) <= apart_in_phase(k);
-        end if;
-        if strobe(2) = '1' then
-          apart_found_word_captured_first(k)(1) <= apart_in_phase(k);
-        end if;
-        if strobe3_copy(20) = '1' then
-          apart_found_word_captured_second(k)(0) <= apart_in_phase(k);
-        end if;
-        if strobe0_copy = '1' then
-          apart_found_word_captured_second(k)(1) <= apart_in_phase(k);
+      for k in 0 to 2 loop
+        if strobe((k + 3) mod 4) = '1' then
+          d(k) <= d_lane;
         end if;
       end loop;
-      if strobe3_copy(20) = '1' then
+      if strobe(3) = '1' then
+        for i in 0 to 2 loop
+          query_error_resized_h4(i) <= signed(resize(query_error(i), 26));
+        end loop;
+        axis_bound_x1_h2 <= axis_bound(0)(1);
+        axis_bound_y_h2 <= axis_bound(1);
+        query_row1_h4 <= query_row(1);
+        query_row3_h4 <= query_row(3);
+        query_row5_h4 <= query_row(5);
+        query_row7_h4 <= query_row(7);
+        query_row9_h4 <= query_row(9);
+        query_row11_h4 <= query_row(11);
+        query_row13_h4 <= query_row(13);
+        query_row15_h4 <= query_row(15);
+        query_row17_h4 <= query_row(17);
+        b_exponent_h4 <= b_exponent;
+        a_code_h4 <= a_code;
+        for k in 0 to 1 loop
+          a_code0_h8(k) <= a_code_h4(k)(0);
+          a_code2_h8(k) <= a_code_h4(k)(2);
+          a_code4_h8(k) <= a_code_h4(k)(4);
+          a_code6_h8(k) <= a_code_h4(k)(6);
+          a_code8_h8(k) <= a_code_h4(k)(8);
+          a_code10_h8(k) <= a_code_h4(k)(10);
+          a_code12_h8(k) <= a_code_h4(k)(12);
+          a_code14_h8(k) <= a_code_h4(k)(14);
+          a_code16_h8(k) <= a_code_h4(k)(16);
+        end loop;
+        a_exponent_h4 <= a_exponent;
         survive_and_h4(0) <= a_take(0) and b_take(0);
         survive_and_h4(1) <= a_take(0) and b_take(1);
         survive_and_h4(2) <= a_take(1) and b_take(0);
@@ -805,6 +543,25 @@ begin
         survive_and_h8 <= survive_and_h4;
         survive_and_h12 <= survive_and_h8;
       end if;
+      if strobe(1) = '1' then
+        query_error_resized_h6 <= query_error_resized_h4;
+        b_code1_h2 <= b_code(1);
+        ceiling_h2 <= to_unsigned(ceiling_table(to_integer(known(b_exponent))), 11);
+      end if;
+      if strobe(2) = '1' then
+        b_exponent_h7 <= b_exponent_h4;
+        a_exponent_h7 <= a_exponent_h4;
+      end if;
+      for k in 0 to 1 loop
+        for m in 0 to 1 loop
+          if strobe(m + 1) = '1' then
+            apart_found_word_captured_first(k)(m) <= apart_in_phase(k);
+          end if;
+          if strobe((m + 3) mod 4) = '1' then
+            apart_found_word_captured_second(k)(m) <= apart_in_phase(k);
+          end if;
+        end loop;
+      end loop;
       if in_phase_0 = '1' then
         busy_2 <= holds(0);
         busy_6 <= holds(1);

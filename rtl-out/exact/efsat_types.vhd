@@ -35,8 +35,6 @@ package efsat_types is
   constant zero_signed_36_x4 : signed_36_x4_t := (others => (others => '0'));
   type signed_36_x6_t is array (0 to 5) of signed(35 downto 0);
   constant zero_signed_36_x6 : signed_36_x6_t := (others => (others => '0'));
-  type unsigned_2_x8_t is array (0 to 7) of unsigned(1 downto 0);
-  constant zero_unsigned_2_x8 : unsigned_2_x8_t := (others => (others => '0'));
   type signed_57_x10_t is array (0 to 9) of signed(56 downto 0);
   type signed_36_x12_t is array (0 to 11) of signed(35 downto 0);
   type signed_60_x15_t is array (0 to 14) of signed(59 downto 0);
@@ -84,11 +82,6 @@ package efsat_types is
   type flag_x2_x2_x6_t is array (0 to 5) of flag_x2_x2_t;
   type flag_x2_x3_x6_t is array (0 to 5) of flag_x2_x3_t;
   type numbers_t is array (natural range <>) of integer;
-
-  -- Of registers that are copies, so that no net has too many loads: tools are not to merge them.
-  attribute keep : string;
-  attribute equivalent_register_removal : string;
-  attribute syn_preserve : boolean;
 
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;

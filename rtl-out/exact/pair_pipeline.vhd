@@ -183,7 +183,6 @@ architecture rtl of pair_pipeline is
   signal lines_agree_h1 : std_logic := '0';
   signal lines_agree_h2 : std_logic := '0';
   signal outside_line : std_logic_vector(1 to 13) := (others => '0');
-  signal left_out_h1_copy : unsigned_2_x8_t := zero_unsigned_2_x8;  -- for at most 64 loads each
   signal fitted_unit_x : signed_33_vector_x5_t;
   signal moment_component_lane_unit_plus : signed_18_x2_x12_t;
   signal moment_component_lane_unit_minus : signed_18_x2_x12_t;
@@ -211,15 +210,6 @@ architecture rtl of pair_pipeline is
   signal inner_unit_plane_b : flag_x2_x3_t;
   signal inner_unit_side : flag_x2_x3_x3_t;
   signal verdict_unit_planes : flag_x2_x3_x2_t;
-  attribute keep of
-    left_out_h1,
-    left_out_h1_copy : signal is "true";
-  attribute equivalent_register_removal of
-    left_out_h1,
-    left_out_h1_copy : signal is "no";
-  attribute syn_preserve of
-    left_out_h1,
-    left_out_h1_copy : signal is true;
 begin
   -- Clock 0
   difference_v1_each : for i in 0 to 2 generate
@@ -372,9 +362,6 @@ begin
       moment_m2_h1 <= moment_m2;
       moment_n_h1 <= moment_n;
       first_h1 <= first;
-      for k in 0 to 7 loop
-        left_out_h1_copy(k) <= left_out;
-      end loop;
     end if;
   end process clock_5;
   lines <= flag(known(left_out_h1) = 3);
@@ -384,19 +371,19 @@ begin
     moment_m0_h1(2) when known(left_out_h1) = 2 else
     moment_m0_h1(0);
   moment_c(1) <=
-    moment_m1_h1(0) when known(left_out_h1_copy(0)) = 0 else
-    moment_m1_h1(1) when known(left_out_h1_copy(0)) = 1 else
-    moment_m1_h1(2) when known(left_out_h1_copy(0)) = 2 else
+    moment_m1_h1(0) when known(left_out_h1) = 0 else
+    moment_m1_h1(1) when known(left_out_h1) = 1 else
+    moment_m1_h1(2) when known(left_out_h1) = 2 else
     moment_m1_h1(0);
   moment_c(2) <=
-    moment_m2_h1(0) when known(left_out_h1_copy(1)) = 0 else
-    moment_m2_h1(1) when known(left_out_h1_copy(1)) = 1 else
-    moment_m2_h1(2) when known(left_out_h1_copy(1)) = 2 else
+    moment_m2_h1(0) when known(left_out_h1) = 0 else
+    moment_m2_h1(1) when known(left_out_h1) = 1 else
+    moment_m2_h1(2) when known(left_out_h1) = 2 else
     moment_m2_h1(0);
   moment_c(3) <=
-    moment_n_h1(0) when known(left_out_h1_copy(2)) = 0 else
-    moment_n_h1(1) when known(left_out_h1_copy(2)) = 1 else
-    moment_n_h1(2) when known(left_out_h1_copy(2)) = 2 else
+    moment_n_h1(0) when known(left_out_h1) = 0 else
+    moment_n_h1(1) when known(left_out_h1) = 1 else
+    moment_n_h1(2) when known(left_out_h1) = 2 else
     moment_n_h1(0);
   dot_lane_unit_x(0) <= fitted_d4(2);
   dot_lane_unit_x(1) <= fitted_d4(0);
@@ -438,11 +425,11 @@ begin
   end generate box_lane_apart_unit;
   v_in_plane_unit : for k in 0 to 1 generate
     unit : entity work.plane_coordinates
-      port map (x => fitted_d4(k), left_out => left_out_h1_copy(k + 3), projected => v_in_plane(k));
+      port map (x => fitted_d4(k), left_out => left_out_h1, projected => v_in_plane(k));
   end generate v_in_plane_unit;
   w_in_plane_unit : for k in 0 to 2 generate
     unit : entity work.plane_coordinates
-      port map (x => fitted_d4(k + 2), left_out => left_out_h1_copy(k + 5), projected => w_in_plane(k));
+      port map (x => fitted_d4(k + 2), left_out => left_out_h1, projected => w_in_plane(k));
   end generate w_in_plane_unit;
 
   -- Clock 6

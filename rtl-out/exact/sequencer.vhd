@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
--- Handshakes and FIFO pointers. A pair is accepted in any clock if a place
+-- Phases of the slot, handshakes and FIFO pointers. A pair is accepted in the last phase of a slot if a place
 -- in the result FIFO is free; the data path itself never stops.
 --------------------------------------------------------------------------------
 library ieee;
@@ -51,7 +51,7 @@ architecture rtl of sequencer is
 begin
   taken_turned <= taken + 32;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
-  accepts <= running and not full;
+  accepts <= running and '1' and not full;
   accept_pair <= in_valid and accepts;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;

@@ -44,19 +44,8 @@ architecture rtl of cross_product is
   signal l_hi_saturated_too_high_d1 : std_logic_vector(2 downto 0) := (others => '0');
   signal l_saturated : interval_21_vector_t;  -- |.| <= 65536
   signal exact_hi_floor_16_up_d1 : signed_22_vector_t := zero_signed_22_vector;  -- |.| <= 131077
-  signal rounding_line : std_logic_vector(1 to 3) := (others => '0');
-  signal rounding_d4 : std_logic := '0';
+  signal rounding_line : std_logic_vector(1 to 4) := (others => '0');
   signal l_lo_floor_17_d1 : signed_20_vector_t := zero_signed_20_vector;  -- |.| <= 65539
-  signal rounding_d4_copy : std_logic := '0';  -- for at most 64 loads each
-  attribute keep of
-    rounding_d4,
-    rounding_d4_copy : signal is "true";
-  attribute equivalent_register_removal of
-    rounding_d4,
-    rounding_d4_copy : signal is "no";
-  attribute syn_preserve of
-    rounding_d4,
-    rounding_d4_copy : signal is true;
 begin
   -- Clock 0
   e_j_f_k_unit : for i in 0 to 2 generate
@@ -103,11 +92,9 @@ begin
         l_hi_saturated_too_high_d1(i) <= less(to_signed(65536, 22), exact_hi_floor_16_up(i));
       end loop;
       exact_hi_floor_16_up_d1 <= exact_hi_floor_16_up;
-      rounding_d4 <= rounding_line(3);
       for i in 0 to 2 loop
         l_lo_floor_17_d1(i) <= exact_d1(i).lo(36 downto 17);
       end loop;
-      rounding_d4_copy <= rounding_line(3);
     end if;
   end process clock_4;
   l_hi_up_each : for i in 0 to 2 generate
@@ -116,19 +103,15 @@ begin
         l_lo_saturated_raised_too_low_d1(i) = '1' else exact_lo_floor_16_d1(i);
     l_saturated(i).hi <= to_signed(65536, 22) when l_hi_saturated_too_high_d1(i) = '1' else to_signed(-65536, 22) when
         l_hi_saturated_raised_too_low_d1(i) = '1' else exact_hi_floor_16_up_d1(i);
+    l(i).lo <= l_saturated(i).lo(17 downto 0) when rounding_line(4) = '1' else l_lo_floor_17_d1(i)(17 downto 0);
+    l(i).hi <= l_saturated(i).hi(17 downto 0) when rounding_line(4) = '1' else l_hi_up(i)(17 downto 0);
   end generate l_hi_up_each;
-  l(0).lo <= l_saturated(0).lo(17 downto 0) when rounding_d4 = '1' else l_lo_floor_17_d1(0)(17 downto 0);
-  l(0).hi <= l_saturated(0).hi(17 downto 0) when rounding_d4 = '1' else l_hi_up(0)(17 downto 0);
-  l(1).lo <= l_saturated(1).lo(17 downto 0) when rounding_d4 = '1' else l_lo_floor_17_d1(1)(17 downto 0);
-  l(1).hi <= l_saturated(1).hi(17 downto 0) when rounding_d4_copy = '1' else l_hi_up(1)(17 downto 0);
-  l(2).lo <= l_saturated(2).lo(17 downto 0) when rounding_d4_copy = '1' else l_lo_floor_17_d1(2)(17 downto 0);
-  l(2).hi <= l_saturated(2).hi(17 downto 0) when rounding_d4_copy = '1' else l_hi_up(2)(17 downto 0);
 
   -- Delay lines
   delays : process (clk)
   begin
     if rising_edge(clk) then
-      rounding_line <= rounding & rounding_line(1 to 2);
+      rounding_line <= rounding & rounding_line(1 to 3);
     end if;
   end process delays;
 end architecture rtl;

@@ -104,11 +104,6 @@ package efsat_types is
   type interval_18_vector_x6_t is array (0 to 5) of interval_18_vector_t;
   type numbers_t is array (natural range <>) of integer;
 
-  -- Of registers that are copies, so that no net has too many loads: tools are not to merge them.
-  attribute keep : string;
-  attribute equivalent_register_removal : string;
-  attribute syn_preserve : boolean;
-
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
 

@@ -76,6 +76,10 @@ impl Image {
         let upper = if format.sticky { Upper::Sticky } else { Upper::Implied };
         let triangles = (0..self.header.triangles).map(|number| self.triangle(number));
         let triangles = triangles.collect::<Result<Vec<Triangle>, _>>()?;
+        let mut seen = vec![false; triangles.len()];
+        for (place, triangle) in (0..).zip(&triangles) {
+            self.take_number(&mut seen, place, triangle)?;
+        }
         // The real corner is not below its lower bound, nor above the next grid point: a code that excludes both is wrong.
         self.check_codes(format.word_fraction(), |number, n| {
             let corner = |corner: &[efsat_unit::pair::Input; 3]| {
@@ -87,6 +91,15 @@ impl Image {
             };
             triangles[number as usize].corners.iter().map(corner).max().unwrap_or(i64::MIN)
         })
+    }
+
+    /// Notes the number of a triangle, which no other one may have.
+    fn take_number(&self, seen: &mut [bool], place: u32, triangle: &Triangle) -> Result<(), ImageError> {
+        if seen.get_mut(triangle.number as usize).is_some_and(|seen| !std::mem::replace(seen, true)) {
+            return Ok(());
+        }
+        let (at, what) = (self.triangle_words(place).1, format!("triangle {place}: its number"));
+        Err(ImageError::new(at, what, triangle.number, format!("each number below {} once", seen.len())))
     }
 
     /// Checks that the blocks are one tree over all triangles, each child after its parent, of the height in the header.
@@ -196,11 +209,8 @@ impl Image {
         for number in 0..header.triangles {
             let triangle = self.triangle(number)?;
             let at = self.triangle_words(number).1;
+            self.take_number(&mut seen, number, &triangle)?;
             let face = triangle.number as usize;
-            if seen.get_mut(face).is_none_or(|seen| std::mem::replace(seen, true)) {
-                let expected = format!("each number below {} once", mesh.faces().len());
-                return Err(ImageError::new(at, format!("triangle {number}: its number"), face, expected));
-            }
             if triangle.corners != self.corners(mesh, face, &placement) {
                 let what = format!("triangle {number}: coordinates");
                 return Err(ImageError::new(at, what, "others", format!("those of face {face} of the mesh")));

@@ -122,8 +122,7 @@ impl<'a> Reader<'a> {
         let enable = enable.map(|e| self.of(e)[0]);
         let start = number(reset.map_or(0, |r| r.1), signal.ty.bits);
         let reset = reset.map(|r| self.of(r.0)[0]);
-        let copy = signal.copy_of.map(|_| SignalId(i));
-        let controls = start.into_iter().map(|start| Control { enable, reset, start, copy }).collect();
+        let controls = start.into_iter().map(|start| Control { enable, reset, start }).collect();
         (data, controls)
     }
 

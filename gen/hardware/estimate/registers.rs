@@ -2,7 +2,6 @@
 
 use crate::cells::{Bit, Source, Words};
 use crate::device::MultiplierRegisters;
-use crate::netlist::SignalId;
 use std::collections::HashMap;
 
 /// What governs a register.
@@ -12,8 +11,6 @@ pub(super) struct Control {
     pub reset: Option<Bit>,
     /// Value at the start and after a reset.
     pub start: Bit,
-    /// Of a copy that is to stay apart.
-    pub copy: Option<SignalId>,
 }
 
 /// One bit.

@@ -45,7 +45,7 @@ impl Control {
         let named = !place.is_empty();
         let (comment, range, clock) = (String::new(), None, None);
         let mut module = self.module.borrow_mut();
-        module.signals.push(Signal { place, named, ty, driver, comment, range, clock, copy_of: None });
+        module.signals.push(Signal { place, named, ty, driver, comment, range, clock });
         Wire { control: self, id: SignalId(module.signals.len() - 1) }
     }
 
@@ -176,7 +176,7 @@ impl Control {
         module.instances.iter_mut().flat_map(|instance| &mut instance.inputs).for_each(connect);
         module.outputs.iter_mut().for_each(|(_, id)| connect(id));
         module.name_signals();
-        Rc::new(module.pruned().limited())
+        Rc::new(module.pruned())
     }
 }
 

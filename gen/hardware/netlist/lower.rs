@@ -203,7 +203,7 @@ impl Lowered<'_> {
         let probes = if probed { self.probes() } else { vec![] };
         self.rest();
         self.out.latency = Some(latency);
-        (Rc::new(self.out.pruned().limited()), probes)
+        (Rc::new(self.out.pruned()), probes)
     }
 
     fn probes(&mut self) -> Vec<Probe> {
@@ -229,7 +229,7 @@ impl Lowered<'_> {
 
     fn push(&mut self, place: Place, ty: Type, driver: Driver) -> SignalId {
         let (comment, range, clock) = (String::new(), None, None);
-        self.out.signals.push(Signal { place, named: true, ty, driver, comment, range, clock, copy_of: None });
+        self.out.signals.push(Signal { place, named: true, ty, driver, comment, range, clock });
         SignalId(self.out.signals.len() - 1)
     }
 

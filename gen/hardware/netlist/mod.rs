@@ -1,12 +1,9 @@
 //! Netlists: scheduled blocks as clocked modules, control logic written as such, and their simulation.
 
 mod control;
-mod loads;
 pub mod lower;
 mod module;
 pub mod simulate;
 
 pub use control::{Control, Wire};
-#[doc(hidden)]
-pub use loads::MOST_LOADS;
 pub use module::{DelayLine, Driver, Instance, LEAST_DELAY_LINE, LINE_CLOCKS, Module, Signal, SignalId};

@@ -113,8 +113,6 @@ pub struct Signal {
     pub range: Option<Range>,
     /// Clock of the pair's slot in which the value is first valid, where it has one.
     pub clock: Option<i32>,
-    /// The register that it is a copy of, to share the loads.
-    pub copy_of: Option<SignalId>,
 }
 
 /// An instance of a module.

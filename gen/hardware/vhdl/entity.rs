@@ -3,12 +3,10 @@
 mod statements;
 
 use super::fold::{Statement, merged};
-use super::package;
 use super::shape::{Object, Shape, Types};
 use super::view::View;
 use crate::expression::{Expression, loop_variable};
 use crate::graph::{Place, Step};
-use crate::netlist::lower::PHASE;
 use crate::netlist::{Driver, LINE_CLOCKS, Signal, SignalId};
 use crate::op::{Comb, Range};
 use askama::Template;
@@ -67,10 +65,7 @@ impl Entity {
             Some(n) => header.push(format!("Latency: {n} clocks.")),
         }
         let printer = Printer { view, types, prefix };
-        let (blocks, mut functions) = printer.blocks();
-        if view.kept().next().is_some() {
-            functions.insert(package::KEPT[0].0);
-        }
+        let (blocks, functions) = printer.blocks();
         let mut entity = Self {
             name: format!("{prefix}{}", module.name),
             header,
@@ -207,14 +202,6 @@ impl Printer<'_, '_> {
             let text = format!("signal {} : {};", object.name, self.types.name(&object.shape));
             all.push(Declaration { text, comment: String::new() });
         }
-        let kept: Vec<String> = self.view.kept().map(|object| object.name.clone()).collect();
-        if !kept.is_empty() {
-            for (attribute, value) in package::KEPT {
-                let names = kept.join(",\n    ");
-                let text = format!("attribute {attribute} of\n    {names} : signal is {value};");
-                all.push(Declaration { text, comment: String::new() });
-            }
-        }
         all
     }
 
@@ -259,7 +246,7 @@ impl Printer<'_, '_> {
     /// All statements, clock by clock.
     fn blocks(&self) -> (Vec<Block>, BTreeSet<&'static str>) {
         let module = self.view.module;
-        let phased = module.inputs.iter().any(|id| module.signal(*id).place.base == PHASE);
+        let lowered = module.latency.is_some();
         let mut functions = BTreeSet::new();
         let mut blocks = vec![];
         let mut clocks: BTreeSet<Option<i32>> = module.signals.iter().map(|s| s.clock).collect();
@@ -273,7 +260,7 @@ impl Printer<'_, '_> {
             if !free.is_empty() {
                 let label = match clock {
                     Some(c) => format!("clock_{c}"),
-                    None if phased => "strobes".to_owned(),
+                    None if lowered => "strobes".to_owned(),
                     None => "registers".to_owned(),
                 };
                 self.process(&label, merged(free), &mut functions, &mut lines);
@@ -296,7 +283,7 @@ impl Printer<'_, '_> {
             }
             let heading = match clock {
                 Some(c) => format!("Clock {c}"),
-                None if phased => "Strobes, one per phase".to_owned(),
+                None if lowered => "Strobes, one per phase".to_owned(),
                 None => String::new(),
             };
             blocks.push(Block { heading, lines });

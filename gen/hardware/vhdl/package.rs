@@ -16,16 +16,10 @@ struct Package<'a> {
 pub(super) const FUNCTIONS: [&str; 8] =
     ["flag", "known", "less", "choose", "negated_if", "abs_of", "append", "or_reduce"];
 
-/// Attributes of copies of a register, with the values by which tools keep them: Vivado and Synplify, XST, and the tools
-/// of Lattice and Intel with Synplify's names.
-pub(super) const KEPT: [(&str, &str); 3] =
-    [("keep", "\"true\""), ("equivalent_register_removal", "\"no\""), ("syn_preserve", "true")];
-
 /// All names that the package may declare.
 pub(super) fn names(types: &Types) -> Vec<String> {
     let functions = FUNCTIONS.iter().map(|name| (*name).to_owned());
-    let attributes = KEPT.iter().map(|(name, _)| (*name).to_owned());
-    functions.chain(attributes).chain(types.names()).chain(["numbers_t".to_owned()]).collect()
+    functions.chain(types.names()).chain(["numbers_t".to_owned()]).collect()
 }
 
 /// The text of the package of some entities.

@@ -153,16 +153,6 @@ impl<'a> View<'a> {
         self.objects.iter().chain(&self.outputs).chain(&self.between).map(|o| &o.shape)
     }
 
-    /// Objects with copies of registers or what these are copies of, which tools have to keep apart.
-    pub fn kept(&self) -> impl Iterator<Item = &Object> {
-        let copies = self.module.signals.iter().enumerate().filter_map(|(i, s)| Some([SignalId(i), s.copy_of?]));
-        let kept: HashSet<SignalId> = copies.flatten().collect();
-        let lines: HashSet<usize> = self.lines.iter().map(|line| line.object).collect();
-        let objects =
-            self.objects.iter().enumerate().filter(move |(i, _)| !lines.contains(i)).map(|(_, object)| object);
-        objects.filter(move |object| object.members.iter().any(|(id, _)| kept.contains(id)))
-    }
-
     /// All names that the entity declares.
     pub fn declared(&self) -> Vec<String> {
         let objects = self.objects.iter().chain(&self.outputs).chain(&self.between).map(|o| o.name.clone());
@@ -342,8 +332,6 @@ impl<'a> View<'a> {
     }
 
     fn table_name(&self, id: SignalId) -> String {
-        // Copies of a register share its table.
-        let id = self.module.signal(id).copy_of.unwrap_or(id);
         let name = match &self.names[id.0] {
             Some(name) => name.subs.iter().fold(name.base.clone(), |mut text, sub| {
                 match sub {
@@ -361,7 +349,7 @@ impl<'a> View<'a> {
     /// The tables that expressions refer to.
     pub fn tables(&self) -> Vec<Table> {
         let mut tables = vec![];
-        for (i, signal) in self.module.signals.iter().enumerate().filter(|(_, signal)| signal.copy_of.is_none()) {
+        for (i, signal) in self.module.signals.iter().enumerate() {
             let op = match &signal.driver {
                 Driver::Combinational { op, .. } | Driver::Register { op: Some(op), .. } => op,
                 _ => continue,

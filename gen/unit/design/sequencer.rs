@@ -63,11 +63,7 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     let Sequencer { name, interval, latency, places, pose, waits } = *sequencer;
     let address = places.trailing_zeros();
     let doc = [
-        if interval > 1 {
-            "Phases of the slot, handshakes and FIFO pointers. A pair is accepted in the last phase of a slot if a place"
-        } else {
-            "Handshakes and FIFO pointers. A pair is accepted in any clock if a place"
-        },
+        "Phases of the slot, handshakes and FIFO pointers. A pair is accepted in the last phase of a slot if a place",
         "in the result FIFO is free; the data path itself never stops.",
     ];
     let m = Control::new(name, doc.map(str::to_owned).to_vec());
@@ -94,8 +90,7 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     // The accepted count at which every place is promised.
     let turned = taken.count.plus(1 << address).named("taken_turned");
     let full = accepted.meets("full", turned, (reset, 0));
-    let open = if interval > 1 { running & slots.last } else { running };
-    let in_ready = (open & !full).named("accepts");
+    let in_ready = (running & slots.last & !full).named("accepts");
     let accept = (in_valid & in_ready).named("accept_pair");
     accepted.advance(accept, reset);
 
@@ -127,27 +122,26 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
         let pose_ready = match reading {
             PoseReading::NotLast => running & slots.in_phase("pose_phase", interval - 2),
             PoseReading::Always => {
-                let last_next = slots.phase.map(|phase| phase.is(interval as i128 - 2));
+                let one = || m.constant(1, Type::FLAG);
+                let last_next = slots.phase.map_or_else(one, |phase| phase.is(interval as i128 - 2));
                 pending_pose(&m, reset, running, pose_valid, last_next)
             }
         };
         let pose_ready = pose_ready.named("takes_pose");
         pose_ready.output("pose_ready");
-        if reading == PoseReading::Always {
-            (pose_valid & pose_ready).named("accept_pose").output("pose_accept");
-        }
+        (pose_valid & pose_ready).named("accept_pose").output("pose_accept");
     }
     m.finish()
 }
 
 /// A pose waits until the running slot is over, then takes effect for the next pair: whether one can be taken.
-/// `last_next` tells that the last phase follows, where a slot has more than one.
+/// `last_next` tells that the last phase follows.
 fn pending_pose<'m>(
     m: &'m Control,
     reset: Wire<'m>,
     running: Wire<'m>,
     pose_valid: Wire<'m>,
-    last_next: Option<Wire<'m>>,
+    last_next: Wire<'m>,
 ) -> Wire<'m> {
     let pending = m.register("pose_pending", Type::FLAG);
     let load = m.register("load_pose", Type::FLAG);
@@ -155,9 +149,8 @@ fn pending_pose<'m>(
     let waits = (pending & !load).named("pose_waits");
     let next = (waits | (pose_valid & ready)).named("pose_pending_next");
     pending.loads(next, None, Some((reset, 0)));
-    load.loads(last_next.map_or(next, |last| next & last), None, Some((reset, 0)));
-    load.comment(if last_next.is_some() { "last phase, and a pose is pending" } else { "a pose is pending" })
-        .output("pose_load");
+    load.loads(next & last_next, None, Some((reset, 0)));
+    load.comment("last phase, and a pose is pending").output("pose_load");
     ready
 }
 

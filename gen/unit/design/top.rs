@@ -6,7 +6,7 @@ use super::{determinants, exact, number::input_type, pipeline};
 use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, DeviceError};
 use efsat_hardware::graph::{Block, Place, Step};
-use efsat_hardware::netlist::lower::{Lowering, PHASE, Probe};
+use efsat_hardware::netlist::lower::{Lowering, Probe};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::number::Upper;
 use efsat_hardware::op::{Concatenate, Floor, LowBits, Type};
@@ -258,24 +258,22 @@ fn prefixed(place: &Place, old: &str, new: &str) -> Place {
     Place { base: place.base.replace(old, new), ..place.clone() }
 }
 
-/// The register of a word of the pose that the running slot reads; `accept` is set where a pose is accepted, and `of` are the
-/// signals of the sequencer.
+/// The register of a word of the pose that the running slot reads; `of` are the signals of the sequencer.
 fn active_pose<'m>(
     m: &'m Control,
     reading: PoseReading,
     place: &Place,
     port: Wire<'m>,
     reset: Wire<'m>,
-    accept: Wire<'m>,
     of: impl Fn(&str) -> Wire<'m>,
 ) -> Wire<'m> {
     let reset_to = (place.base == "pose_bypass").then_some((reset, 1));
     let active = m.register(prefixed(place, "pose_", "active_"), port.ty());
     match reading {
-        PoseReading::NotLast => active.loads(port, Some(accept), reset_to),
+        PoseReading::NotLast => active.loads(port, Some(of("pose_accept")), reset_to),
         PoseReading::Always => {
             let next = m.register(prefixed(place, "pose_", "next_"), port.ty());
-            next.loads(port, Some(accept), None);
+            next.loads(port, Some(of("pose_accept")), None);
             active.loads(next, Some(of("pose_load")), reset_to);
         }
     }
@@ -311,17 +309,10 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     let signals = m.instance("control", &control, &control_inputs);
     let of = |name: &str| sequencer::output(&control, &signals, name);
 
-    let in_phase = |name: &str, s: usize| {
-        let flag = m.register(name, Type::FLAG).comment(&format!("set in phase {s}"));
-        let before = (s + interval - 1) % interval;
-        flag.loads(of(PHASE).is(before as i128), None, Some((reset, 0)));
-        flag
-    };
-    // The pair of the running slot; without one the last pair stays, so that what idle inputs carry goes no further. A pair that
-    // waits is loaded again in each slot until it is accepted. So what enables these registers, of which some are far from the
-    // others, is a port and a register at most, and not the end of the logic that accepts.
-    let is_last = (interval > 1).then(|| in_phase("last_phase", interval - 1));
-    let load = is_last.map_or(in_valid, |last| (in_valid & last).named("load_pair"));
+    // The pair of the running slot; without one the last pair stays, so that what idle inputs carry goes no further. With one
+    // pair per clock a pair that waits is loaded again in each clock until it is accepted. So what enables these registers, of
+    // which some are far from the others, is a port, and not the end of the logic that accepts.
+    let load = if interval == 1 { in_valid } else { of("accept") };
     let held = pair.into_iter().map(|(place, port)| {
         let register = m.register(prefixed(&place, "in_", "pair_"), port.ty());
         register.loads(port, Some(load), None);
@@ -330,13 +321,8 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     let mut inputs: HashMap<Place, Wire> = held.collect();
     if let (Some(bypass), Some(reading)) = (bypass, reading) {
         let words = pose.into_iter().chain([(Place::new("pose_bypass"), bypass)]);
-        // Where a pose has a phase of its own it is accepted in every one: in reset and in the clock after that flag is clear.
-        let accept = match (reading, pose_valid) {
-            (PoseReading::NotLast, Some(valid)) => (valid & in_phase("pose_phase", interval - 2)).named("load_pose"),
-            _ => of("pose_accept"),
-        };
         inputs.extend(words.map(|(place, port)| {
-            let active = active_pose(&m, reading, &place, port, reset, accept, of);
+            let active = active_pose(&m, reading, &place, port, reset, of);
             (place, active)
         }));
     }

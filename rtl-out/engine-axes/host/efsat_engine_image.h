@@ -251,6 +251,20 @@ static inline int efsat_engine_check_triangle(const struct efsat_engine_image *i
   return refused;
 }
 
+/* Whether each triangle has a number of its own, below that of triangles. */
+static inline int efsat_engine_check_faces(const struct efsat_engine_image *image, uint32_t *seen, struct efsat_engine_refusal *why)
+{
+  for (uint32_t i = 0; i < (image->triangles + 31) / 32; i++)
+    seen[i] = 0;
+  for (uint32_t i = 0; i < image->triangles; i++) {
+    const uint32_t face = efsat_engine_image_face(image, i), bit = UINT32_C(1) << face % 32;
+    if (face >= image->triangles || seen[face / 32] & bit)
+      return efsat_engine_refuse(why, EFSAT_ENGINE_REFUSED_IMAGE_FIELD, (uint32_t)efsat_engine_image_triangle(image, i), face, 0, (int64_t)image->triangles - 1);
+    seen[face / 32] |= bit;
+  }
+  return efsat_engine_refuse(why, 0, 0, 0, 0, 0);
+}
+
 /* How far a triangle surely reaches along each direction, in the finer of its units and those of the grid. */
 static inline void efsat_engine_image_reach(int64_t reach[EFSAT_ENGINE_IMAGE_DIRECTIONS], const struct efsat_engine_image *image, uint32_t place)
 {
@@ -305,8 +319,8 @@ static inline int efsat_engine_check_codes(const struct efsat_engine_image *imag
   return efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
 
-/* Checks all of an image whose header was read: each field, that its blocks are one tree over all triangles, and that no code excludes
- * a triangle as it is stored. */
+/* Checks all of an image whose header was read: each field, that its blocks are one tree over all triangles, that each of these has a
+ * number of its own, and that no code excludes a triangle as it is stored. */
 EFSAT_ENGINE_CHECKED static inline int efsat_engine_check_image(const struct efsat_engine_image *image, uint32_t *scratch, struct efsat_engine_refusal *why)
 {
   struct efsat_engine_links links;
@@ -317,6 +331,8 @@ EFSAT_ENGINE_CHECKED static inline int efsat_engine_check_image(const struct efs
   refused = efsat_engine_check_tree(image, &links, why);
   for (uint32_t i = 0; i < image->triangles && !refused; i++)
     refused = efsat_engine_check_triangle(image, i, why);
+  if (!refused)
+    refused = efsat_engine_check_faces(image, links.seen, why);
   return refused ? refused : efsat_engine_check_codes(image, &links, why);
 }
 

@@ -10,7 +10,7 @@ use super::ToolError;
 use crate::process;
 use efsat_hardware::tools::{self, Tool};
 use efsat_unit::artefact::{FileSet, Scratch, VerilogFile, origin};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -51,32 +51,8 @@ pub fn from_vhdl(files: &[(String, String)], top: &str, dir: &Path) -> Result<St
         let line = said.lines().find(|line| line.contains(':')).or(said.lines().next());
         return Err(refused(line.unwrap_or("it failed without a word").to_owned()));
     }
-    let text = fixes::all(&String::from_utf8_lossy(&output.stdout))
-        .map_err(|reason| refused(format!("Verilog of {top}: {reason}")))?;
-    Ok(with_attributes(files, &text))
-}
-
-/// Verilog with the attribute `keep` of VHDL's signals, which GHDL 2.0 leaves out.
-fn with_attributes(files: &[(String, String)], text: &str) -> String {
-    let names = |text: &str| -> BTreeSet<String> {
-        let lists = text.split("attribute keep of").skip(1).filter_map(|rest| rest.split(':').next());
-        lists.flat_map(|list| list.split(',').map(|name| name.trim().to_owned()).collect::<Vec<_>>()).collect()
-    };
-    let kept: BTreeMap<&str, BTreeSet<String>> =
-        files.iter().map(|(name, text)| (name.trim_end_matches(".vhd"), names(text))).collect();
-    let mut module = None;
-    let mut attributed = String::with_capacity(text.len());
-    for line in text.split_inclusive('\n') {
-        module = module_name(line).or(module);
-        let declared = line.trim().strip_suffix(';').and_then(|line| line.rsplit(' ').next());
-        let is_declaration = ["  reg ", "  wire "].iter().any(|kind| line.starts_with(kind));
-        let is_kept = |name: &str| module.and_then(|module| kept.get(module)).is_some_and(|names| names.contains(name));
-        if is_declaration && declared.is_some_and(is_kept) {
-            attributed.push_str("  (* keep *)");
-        }
-        attributed.push_str(line);
-    }
-    attributed
+    fixes::all(&String::from_utf8_lossy(&output.stdout))
+        .map_err(|reason| refused(format!("Verilog of {top}: {reason}")))
 }
 
 /// Verilog files of a set of VHDL files: name and text of each. The same version of GHDL makes the same bytes.

@@ -19,16 +19,7 @@ fn tapped_line(ty: Type) -> Rc<Module> {
     let plain = Type { fraction: None, ..ty };
     let mut push = |name: &str, ty, driver| {
         let (place, comment) = (Place::new(name), String::new());
-        module.signals.push(Signal {
-            place,
-            named: true,
-            ty,
-            driver,
-            comment,
-            range: None,
-            clock: None,
-            copy_of: None,
-        });
+        module.signals.push(Signal { place, named: true, ty, driver, comment, range: None, clock: None });
         SignalId(module.signals.len() - 1)
     };
     let (x, tap) = (push("x", plain, Driver::Port), push("tap", Type::index(LINE_CLOCKS), Driver::Port));

@@ -9,7 +9,6 @@ mod divide;
 mod evaluate;
 mod flat;
 mod graph;
-mod loads;
 mod lower;
 mod names;
 mod phases;

@@ -83,16 +83,22 @@ struct PortTables<'a> {
     tables: Vec<PortTable<'a>>,
 }
 
-/// The ports of an entity, from its text.
+/// The ports of an entity, from its text. What stands above a port is said of it, too.
 pub(super) fn ports(text: &str) -> Vec<Port> {
     let lines = text.lines().skip_while(|line| line.trim() != "port (").skip(1).take_while(|line| line.trim() != ");");
+    let mut above = String::new();
     let port = |line: &str| {
-        let (code, note) = line.split_once("--").unwrap_or((line, ""));
+        if let Some(comment) = line.trim().strip_prefix("--") {
+            above += comment;
+            return None;
+        }
+        let (code, behind) = line.split_once("--").unwrap_or((line, ""));
+        let note = std::mem::take(&mut above) + behind;
         let (name, rest) = code.split_once(" : ")?;
         let (direction, rest) = rest.trim().split_once(' ')?;
         let rest = rest.trim().trim_end_matches(';');
         let (ty, open) = rest.split_once(" := ").map_or((rest, None), |(ty, open)| (ty, Some(open.to_owned())));
-        let [name, direction, ty, note] = [name, direction, ty, note].map(|text| text.trim().to_owned());
+        let [name, direction, ty, note] = [name, direction, ty, &note].map(|text| text.trim().to_owned());
         Some(Port { name, direction, ty, open, note })
     };
     lines.filter_map(port).collect()
@@ -159,7 +165,7 @@ mod tests {
             note: String::new(),
         };
         let x = port("x", "in", "std_logic_vector(7 downto 0)");
-        let x = Port { open: Some("(others => '1')".to_owned()), note: "bytes : eight".to_owned(), ..x };
+        let x = Port { open: Some("(others => '1')".to_owned()), note: "why : not bytes : eight".to_owned(), ..x };
         assert_eq!(ports(text), [port("clk", "in", "std_logic"), x, port("y", "out", "std_logic")]);
     }
 }
