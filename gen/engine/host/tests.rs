@@ -166,7 +166,8 @@ fn images_with_a_changed_bit_are_noticed() {
             },
         }
     }
-    assert!(read > 800 && verified > 500 && looser > 100 && ended > 100, "{read} {verified} {looser} {ended}");
+    // Numbers of triangles are noticed without the mesh, so that most bits are refused as the image is read.
+    assert!(read > 2500 && verified > 400 && looser > 100 && ended > 100, "{read} {verified} {looser} {ended}");
 }
 
 /// The triangles of the answers, sorted.
