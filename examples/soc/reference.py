@@ -1,6 +1,6 @@
 """What the processor is given, and what it must print, by the reference model.
 
-    reference.py data EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS POSES METHOD >data.h
+    reference.py data EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS POSES >data.h
     reference.py expected EFSAT MESH_A MESH_B IMAGE_A IMAGE_B PAIRS POSES METHOD >expected.txt
 
 EFSAT is the program, a mesh is an OBJ file, its image is of `efsat tree build`, PAIRS is a CSV file of triangles, POSES is how many of
@@ -67,7 +67,7 @@ def verdict(efsat, word, row):
     return f"possibly-incorrect, exactly {told(efsat, [row], '--exact')[0]['exact']}"
 
 
-def data(efsat, meshes, images, pairs, poses, _method):
+def data(efsat, meshes, images, pairs, poses):
     def array(kind, name, rows):
         rows = ",\n".join("  {" + ", ".join(map(str, row)) + "}" for row in rows)
         print(f"static const {kind} {name}[][{len(rows_of[name][0])}] = {{\n{rows}\n}};")
@@ -107,9 +107,9 @@ def expected(efsat, meshes, images, pairs, poses, method):
     print("interrupts: some\nend")
 
 
-def main(what, efsat, mesh_a, mesh_b, image_a, image_b, pairs, poses, method):
+def main(what, efsat, mesh_a, mesh_b, image_a, image_b, pairs, poses, *method):
     tell = {"data": data, "expected": expected}[what]
-    tell(efsat, [mesh_a, mesh_b], [image_a, image_b], pairs, POSES[: int(poses)], method)
+    tell(efsat, [mesh_a, mesh_b], [image_a, image_b], pairs, POSES[: int(poses)], *method)
 
 
 if __name__ == "__main__":

@@ -38,8 +38,8 @@ entity efsat is
   port (
     clk             : in  std_logic;
     reset           : in  std_logic;  -- synchronous, active high
-    in_valid        : in  std_logic;
-    in_tag          : in  std_logic_vector(15 downto 0) := (others => '0');
+    in_valid        : in  std_logic;  -- a pair is offered
+    in_tag          : in  std_logic_vector(15 downto 0) := (others => '0');  -- the host's; comes back with the verdict
     in_v0_x         : in  std_logic_vector(31 downto 0);  -- s4.28
     in_v0_y         : in  std_logic_vector(31 downto 0);  -- s4.28
     in_v0_z         : in  std_logic_vector(31 downto 0);  -- s4.28
@@ -58,7 +58,7 @@ entity efsat is
     in_w2_x         : in  std_logic_vector(31 downto 0);  -- s4.28
     in_w2_y         : in  std_logic_vector(31 downto 0);  -- s4.28
     in_w2_z         : in  std_logic_vector(31 downto 0);  -- s4.28
-    pose_valid      : in  std_logic := '0';
+    pose_valid      : in  std_logic := '0';  -- a pose is offered
     pose_m00        : in  std_logic_vector(31 downto 0) := (others => '0');  -- s4.28
     pose_m01        : in  std_logic_vector(31 downto 0) := (others => '0');  -- s4.28
     pose_m02        : in  std_logic_vector(31 downto 0) := (others => '0');  -- s4.28
@@ -71,16 +71,16 @@ entity efsat is
     pose_t_x        : in  std_logic_vector(31 downto 0) := (others => '0');  -- s4.28
     pose_t_y        : in  std_logic_vector(31 downto 0) := (others => '0');  -- s4.28
     pose_t_z        : in  std_logic_vector(31 downto 0) := (others => '0');  -- s4.28
-    pose_bypass     : in  std_logic := '0';
-    out_ready       : in  std_logic := '1';
-    in_ready        : out std_logic;
-    pose_ready      : out std_logic;
-    out_valid       : out std_logic;
-    out_verdict     : out std_logic_vector(1 downto 0);
-    out_separated   : out std_logic_vector(8 downto 0);
-    out_overlapping : out std_logic_vector(8 downto 0);
-    out_outside     : out std_logic;
-    out_tag         : out std_logic_vector(15 downto 0)
+    pose_bypass     : in  std_logic := '0';  -- the pose is B = B~
+    out_ready       : in  std_logic := '1';  -- a verdict can be taken
+    in_ready        : out std_logic;  -- a pair can be accepted
+    pose_ready      : out std_logic;  -- a pose can be accepted
+    out_valid       : out std_logic;  -- a verdict is offered
+    out_verdict     : out std_logic_vector(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
+    out_separated   : out std_logic_vector(8 downto 0);  -- bit i: of witness i
+    out_overlapping : out std_logic_vector(8 downto 0);  -- bit i: of witness i
+    out_outside     : out std_logic;  -- a number is outside its declared range
+    out_tag         : out std_logic_vector(15 downto 0)  -- the host's; comes back with the verdict
   );
 end entity efsat;
 
@@ -110,13 +110,13 @@ architecture rtl of efsat is
   signal result_queue_words : result_queue_words_t := (others => (others => '0'));
   signal result_queue : unsigned(20 downto 0);  -- verdict and flags of the pairs decided and not yet taken
   signal offered_word : unsigned(20 downto 0) := (others => '0');
-  signal offered_verdict : unsigned(1 downto 0);
-  signal offered_separated : unsigned(8 downto 0);
-  signal offered_overlapping : unsigned(8 downto 0);
+  signal offered_verdict : unsigned(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
+  signal offered_separated : unsigned(8 downto 0);  -- bit i: of witness i
+  signal offered_overlapping : unsigned(8 downto 0);  -- bit i: of witness i
   type tag_queue_words_t is array (0 to 63) of unsigned(15 downto 0);
   signal tag_queue_words : tag_queue_words_t := (others => (others => '0'));
   signal tag_queue : unsigned(15 downto 0);  -- tags of the pairs accepted and not yet taken
-  signal offered_tag : unsigned(15 downto 0) := (others => '0');
+  signal offered_tag : unsigned(15 downto 0) := (others => '0');  -- the host's; comes back with the verdict
 begin
   result_word <= path_outside & unsigned(path_overlapping) & unsigned(path_separated) & path_verdict;
   offered_verdict <= offered_word(1 downto 0);

@@ -1,8 +1,9 @@
 -- The engine between models of VUnit, which check the rules of the streams, and a memory that checks bursts, and refuses reads outside the
--- images. All stall at random.
+-- images. All stall at random. With errors, so many of a thousand words of memory come as an error.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use ieee.math_real.uniform;
 use std.textio.all;
 
 library vunit_lib;
@@ -13,7 +14,8 @@ context vunit_lib.vc_context;
 use work.play_pkg.all;
 
 entity tb_engine is
-  generic (runner_cfg : string; words : string; answers : string; packets : natural; image : string);
+  generic (runner_cfg : string; words : string; answers : string; packets : natural; image : string;
+    errors : natural);
 end entity tb_engine;
 
 architecture simulation of tb_engine is
@@ -31,9 +33,10 @@ architecture simulation of tb_engine is
   signal in_valid, in_last, in_ready, out_valid, out_last, out_ready : std_logic;
   signal address : std_logic_vector(31 downto 0);
   signal size : std_logic_vector(2 downto 0);
-  signal burst, response : std_logic_vector(1 downto 0);
+  signal burst, response, memory_response : std_logic_vector(1 downto 0);
   signal address_valid, address_ready, data_valid, data_ready, data_last : std_logic;
   signal id : std_logic_vector(0 downto 0);
+  signal failing : boolean := false;
 begin
   clk <= not clk after 5 ns;
   resetn <= '1' after 200 ns;
@@ -74,6 +77,19 @@ begin
   end process main;
   test_runner_watchdog(runner, 10 ms);
 
+  -- The engine takes every word in the clock in which it is offered.
+  fail : process (clk)
+    variable seed_1, seed_2 : positive := 1;
+    variable drawn : real;
+  begin
+    if rising_edge(clk) then
+      assert data_ready = '1';
+      uniform(seed_1, seed_2, drawn);
+      failing <= drawn * 1000.0 < real(errors);
+    end if;
+  end process fail;
+  response <= axi_resp_slverr when failing else memory_response;
+
   from_vunit : entity vunit_lib.axi_stream_master
     generic map (master => source)
     port map (aclk => clk, areset_n => resetn, tvalid => in_valid, tready => in_ready, tdata => in_data, tlast => in_last, tkeep => in_keep);
@@ -84,7 +100,7 @@ begin
     generic map (axi_slave => reads)
     port map (
       aclk => clk, arvalid => address_valid, arready => address_ready, arid => "0", araddr => address, arlen => burst_length,
-      arsize => size, arburst => burst, rvalid => data_valid, rready => data_ready, rid => id, rdata => data, rresp => response,
+      arsize => size, arburst => burst, rvalid => data_valid, rready => data_ready, rid => id, rdata => data, rresp => memory_response,
       rlast => data_last);
   unit : entity work.efsat_engine
     port map (

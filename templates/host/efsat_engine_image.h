@@ -182,20 +182,33 @@ struct {{ h.prefix }}efsat_engine_links {
   uint32_t height;
 };
 
+/* A bit for each of so many triangles: none is set; that of one is, and whether it was not before. */
+static inline void {{ h.prefix }}efsat_engine_image_forget(uint32_t *seen, uint32_t triangles)
+{
+  for (uint32_t i = 0; i < (triangles + 31) / 32; i++)
+    seen[i] = 0;
+}
+
+static inline int {{ h.prefix }}efsat_engine_image_take(uint32_t *seen, uint32_t triangle)
+{
+  const uint32_t bit = UINT32_C(1) << triangle % 32;
+  const int taken = !(seen[triangle / 32] & bit);
+  seen[triangle / 32] |= bit;
+  return taken;
+}
+
 /* Whether a link leads to a triangle or a block that no other link leads to; blocks come after their parents. */
 static inline int {{ h.prefix }}efsat_engine_check_link(const struct {{ h.prefix }}efsat_engine_image *image, struct {{ h.prefix }}efsat_engine_links *links, uint32_t number, uint32_t child)
 {
   const uint32_t link = (uint32_t){{ h.prefix }}efsat_engine_image_field(image->bytes + {{ h.prefix }}efsat_engine_image_block(number), 32 * child, 32);
-  const uint32_t other = link & INT32_MAX, bit = UINT32_C(1) << other % 32;
+  const uint32_t other = link & INT32_MAX;
   /* Only meshes of less than two triangles lack children. */
   if (link == UINT32_MAX || (image->triangles < 2 && child >= image->triangles))
     return link == UINT32_MAX && image->triangles < 2 && child >= image->triangles;
   if (link >> 31) {
-    const int twice = links->seen[other / 32] & bit ? 1 : 0;
-    links->seen[other / 32] |= bit;
     if (links->level[number] > links->height)
       links->height = links->level[number];
-    return !twice;
+    return {{ h.prefix }}efsat_engine_image_take(links->seen, other);
   }
   if (other <= number || links->from[other] != UINT32_MAX)
     return 0;
@@ -210,8 +223,7 @@ static inline int {{ h.prefix }}efsat_engine_check_tree(const struct {{ h.prefix
   int refused = 0;
   for (uint32_t i = 0; i < image->blocks; i++)
     links->from[i] = UINT32_MAX;
-  for (uint32_t i = 0; i < (image->triangles + 31) / 32; i++)
-    links->seen[i] = 0;
+  {{ h.prefix }}efsat_engine_image_forget(links->seen, image->triangles);
   links->level[0] = 1;
   links->height = 0;
   for (uint32_t i = 0; i < image->blocks && !refused; i++) {
@@ -250,13 +262,11 @@ static inline int {{ h.prefix }}efsat_engine_check_triangle(const struct {{ h.pr
 /* Whether each triangle has a number of its own, below that of triangles. */
 static inline int {{ h.prefix }}efsat_engine_check_faces(const struct {{ h.prefix }}efsat_engine_image *image, uint32_t *seen, struct {{ h.prefix }}efsat_engine_refusal *why)
 {
-  for (uint32_t i = 0; i < (image->triangles + 31) / 32; i++)
-    seen[i] = 0;
+  {{ h.prefix }}efsat_engine_image_forget(seen, image->triangles);
   for (uint32_t i = 0; i < image->triangles; i++) {
-    const uint32_t face = {{ h.prefix }}efsat_engine_image_face(image, i), bit = UINT32_C(1) << face % 32;
-    if (face >= image->triangles || seen[face / 32] & bit)
+    const uint32_t face = {{ h.prefix }}efsat_engine_image_face(image, i);
+    if (face >= image->triangles || !{{ h.prefix }}efsat_engine_image_take(seen, face))
       return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_IMAGE_FIELD, (uint32_t){{ h.prefix }}efsat_engine_image_triangle(image, i), face, 0, (int64_t)image->triangles - 1);
-    seen[face / 32] |= bit;
   }
   return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }

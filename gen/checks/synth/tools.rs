@@ -20,7 +20,7 @@ pub fn call(tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<(), Too
 /// Runs a tool in a folder, its output kept in `log`, and stops it after a time; whether it ended by itself.
 ///
 /// # Errors
-/// The first error it printed.
+/// The first error it printed, one in capitals before others.
 pub fn call_within(limit: Duration, tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<bool, ToolError> {
     let name = tool.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let failed = |message: String| ToolError::failed(&name, message);
@@ -36,7 +36,8 @@ pub fn call_within(limit: Duration, tool: &Path, args: &[&str], dir: &Path, log:
     }
     let said = std::fs::read(&path).map_err(ToolError::file(&path))?;
     let said = String::from_utf8_lossy(&said);
-    let error = said.lines().find(|line| line.contains("ERROR") || line.contains("rror:"));
+    // Yosys' own error is in capitals; what a tool that it calls gets over is not.
+    let error = ["ERROR", "rror:"].iter().find_map(|word| said.lines().find(|line| line.contains(word)));
     Err(failed(error.or(said.lines().last()).unwrap_or("it failed without a word").trim().to_owned()))
 }
 
@@ -55,5 +56,7 @@ mod tests {
         assert!(!run(0, "exec sleep 60").unwrap());
         let error = run(60, "echo ERROR: no such pin >&2; echo bye; exit 1").unwrap_err().to_string();
         assert_eq!(error, "sh: ERROR: no such pin");
+        let error = run(60, "echo Error: passed over; echo ERROR: the end; exit 1").unwrap_err().to_string();
+        assert_eq!(error, "sh: ERROR: the end");
     }
 }

@@ -25,22 +25,30 @@ pub fn find() -> Result<Tool, ToolError> {
 /// Runs commands in a folder, which keeps them as `<name>.ys` and what Yosys says as `<name>.log`.
 ///
 /// # Errors
-/// The last error that Yosys prints.
+/// The error that Yosys prints.
 pub fn run(yosys: &Tool, name: &str, commands: &str, dir: &Path) -> Result<(), ToolError> {
     let script = format!("{name}.ys");
     let path = dir.join(&script);
-    std::fs::write(&path, commands).map_err(ToolError::file(&path))?;
-    tools::call(&yosys.path, &["-s", &script], dir, &format!("{name}.log"))
+    let call = |commands: &str| {
+        std::fs::write(&path, commands).map_err(ToolError::file(&path))?;
+        tools::call(&yosys.path, &["-s", &script], dir, &format!("{name}.log"))
+    };
+    match call(commands) {
+        // ABC 1.01 ends by an assertion (nCuts > 0) where eight cuts of a node leave none that fits; sixteen do.
+        Err(ToolError::Failed { message, .. }) if message.contains("ERROR: ABC") => {
+            call(&format!("scratchpad -set abc9.if.C 16\n{commands}"))
+        }
+        result => result,
+    }
 }
 
-/// The commands that read the Verilog that GHDL has written to `source` in a folder. Yosys keeps wires with the attribute
-/// `keep`, and the registers behind them only if they have it too. XST makes shift registers in look-up
+/// The commands that read the Verilog that GHDL has written to `source` in a folder. XST makes shift registers in look-up
 /// tables of delay lines with a tap; Yosys finds none in Verilog of GHDL, so there they are put in.
 ///
 /// # Errors
 /// A file that cannot be read.
 pub fn read(family: Family, source: &str, dir: &Path) -> Result<String, ToolError> {
-    let mut commands = format!("read_verilog {source}\nproc\nsetattr -set keep 1 w:* a:keep %i %ci2 t:$dff %i\n");
+    let mut commands = format!("read_verilog {source}\n");
     if family != Family::Virtex2 {
         return Ok(commands);
     }
@@ -178,4 +186,33 @@ pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path
          hierarchy -check -top {top}\nproc\nopt_expr\nsplitnets\nopt_clean\nwrite_verilog -noattr {netlist}\n"
     );
     run(&yosys, "models", &commands, dir)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::PermissionsExt;
+
+    #[test]
+    fn abc_gets_more_cuts_where_eight_leave_none() {
+        let dir = tempfile::TempDir::new().unwrap();
+        let path = dir.path().join("yosys");
+        let run_with = |text: &str| {
+            std::fs::write(&path, format!("#!/bin/sh\n{text}\n")).unwrap();
+            std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).unwrap();
+            let yosys = Tool { path: path.clone(), version: String::new() };
+            run(&yosys, "units", "stat\n", dir.path()).map_err(|e| e.to_string())
+        };
+        let abc = "ERROR: ABC: execution of command failed: return code 134.";
+        assert_eq!(run_with(&format!("grep -q 'if.C 16' $2 || {{ echo {abc}; exit 1; }}")), Ok(()));
+        assert_eq!(
+            std::fs::read_to_string(dir.path().join("units.ys")).unwrap(),
+            "scratchpad -set abc9.if.C 16\nstat\n"
+        );
+        assert_eq!(run_with(&format!("echo {abc}; exit 1")), Err(format!("yosys: {abc}")));
+        assert_eq!(
+            run_with("grep -q 'if.C 16' $2 || { echo ERROR: no such file; exit 1; }"),
+            Err("yosys: ERROR: no such file".to_owned())
+        );
+    }
 }

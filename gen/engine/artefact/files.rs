@@ -37,11 +37,10 @@ struct Readme<'a> {
     device: &'static str,
     entities: Vec<FileRow>,
     files: Vec<FileRow>,
-    name: String,
     stem: &'static str,
     projects: Vec<Project>,
     ports: String,
-    testbench: String,
+    simulate: String,
 }
 
 /// What is chosen for the files of an engine and does not change it.
@@ -233,8 +232,8 @@ pub fn engine_design_files_with(
         files.push(FileRow::of_verilog(name));
         set.insert(name, text);
     }
-    let ports = packaged.port_tables(&set);
-    set.insert("README.md", readme(design, prefix, command_line, name.clone(), (files, projects, ports)));
+    let (ports, simulate) = (packaged.port_tables(&set), packaged.simulation());
+    set.insert("README.md", readme(design, prefix, command_line, files, projects, ports, simulate));
     let text = manifest_of(design, command_line, &set);
     set.insert(manifest::NAME, text);
     Ok(set)
@@ -265,8 +264,10 @@ fn readme(
     design: &EngineDesign,
     prefix: &Prefix,
     command_line: &str,
-    name: String,
-    (files, projects, ports): (Vec<FileRow>, Vec<Project>, String),
+    files: Vec<FileRow>,
+    projects: Vec<Project>,
+    ports: String,
+    simulate: String,
 ) -> String {
     let params = &design.params;
     let [unit, volume] = design.multipliers();
@@ -317,11 +318,10 @@ fn readme(
         device: design.unit.device.name,
         entities,
         files,
-        name,
         stem: core_of(design).stem,
         projects,
         ports,
-        testbench: prefix.of(TESTBENCH),
+        simulate,
     };
     readme.render().expect("the template renders")
 }

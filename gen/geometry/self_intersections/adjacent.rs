@@ -27,13 +27,10 @@
 //! What binary64 does not show (`determinant`), the exact predicates do. All numbers are in the range of `robbins_whitesides`.
 
 use crate::software::determinant::{self, FLAT, SOLID, difference, sign};
-use crate::software::robbins_whitesides::{area, volume};
+use crate::software::robbins_whitesides::{PLANES, area, volume};
 
 type Point = [f64; 3];
 type Flat = [f64; 2];
-
-/// What a projection keeps.
-const PLANES: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
 
 /// Whether two triangles with the common vertex v, whose other corners are given, have another common point; none if one of them
 /// is a segment.

@@ -93,7 +93,7 @@ pub(crate) fn is_in_range(point: &Point) -> bool {
 const A: [usize; 3] = [0, 1, 2];
 const B: [usize; 3] = [3, 4, 5];
 /// What projections along an axis keep.
-const PLANES: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
+pub(crate) const PLANES: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
 
 /// How the triangles lie to each other, by the signs that are given.
 pub(super) fn relation(signs: &impl Signs) -> Relation {

@@ -59,7 +59,6 @@ pub enum DesignFilesError {
 struct Readme<'a> {
     version: &'static str,
     prefix: &'a Prefix,
-    core: String,
     command_line: &'a str,
     interval: usize,
     latency: usize,
@@ -69,11 +68,11 @@ struct Readme<'a> {
     frequency: u32,
     device: &'static str,
     delays: &'static str,
-    testbench: String,
     units: Vec<UnitRow>,
     files: Vec<FileRow>,
     projects: Vec<Project>,
     ports: String,
+    simulate: String,
 }
 
 /// As [`design_files_with`], packaged by default.
@@ -204,8 +203,8 @@ pub fn design_files_with(
         set.insert(name, text);
         described.push(FileRow::of_verilog(name));
     }
-    let ports = packaged.port_tables(&set);
-    set.insert("README.md", readme(design, packaging, command_line, (described, projects, ports)));
+    let (ports, simulate) = (packaged.port_tables(&set), packaged.simulation());
+    set.insert("README.md", readme(design, packaging, command_line, described, projects, ports, simulate));
     let manifest = manifest::text(design, Some(&format), command_line, &set);
     set.insert(manifest::NAME, manifest);
     Ok(set)
@@ -232,13 +231,15 @@ fn readme(
     design: &Design,
     packaging: &Packaging,
     command_line: &str,
-    (files, projects, ports): (Vec<FileRow>, Vec<Project>, String),
+    files: Vec<FileRow>,
+    projects: Vec<Project>,
+    ports: String,
+    simulate: String,
 ) -> String {
     let prefix = &packaging.prefix;
     let readme = Readme {
         version: env!("CARGO_PKG_VERSION"),
         prefix,
-        core: drop_in::core_name(&design.params, packaging),
         command_line,
         interval: design.interval,
         latency: design.latency,
@@ -248,11 +249,11 @@ fn readme(
         frequency: design.params.frequency,
         device: design.device.name,
         delays: design.device.source,
-        testbench: prefix.of(testbench::NAME),
         units: units(design, prefix),
         files,
         projects,
         ports,
+        simulate,
     };
     readme.render().expect("the template renders")
 }

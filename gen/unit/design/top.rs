@@ -241,14 +241,23 @@ fn words(p: &Params, numbers: Vec<Number>) -> Vec<(String, Place, Type)> {
     each.collect()
 }
 
+/// What a tag is.
+const TAG: &str = "the host's; comes back with the verdict";
+
 /// The fields of the result word as ports, from the lowest bit on.
 fn output_fields(p: &Params, word: Wire) {
-    let fields = [("verdict", 2), ("separated", p.flags()), ("overlapping", p.flags())];
+    let flags = if p.method == Method::Axes { "bit i: of axis i" } else { "bit i: of witness i" };
+    let outside = ("outside", 1, "a number is outside its declared range");
+    let fields = [
+        ("verdict", 2, "00 separate, 01 intersect, 10 possibly incorrect"),
+        ("separated", p.flags(), flags),
+        ("overlapping", p.flags(), flags),
+    ];
     let mut below = 0;
-    for (name, bits) in fields.into_iter().chain(p.guarded().then_some(("outside", 1))) {
+    for (name, bits, what) in fields.into_iter().chain(p.guarded().then_some(outside)) {
         let above = if below == 0 { word } else { word.apply(Floor(below), &[]) };
         let value = if above.ty().bits > bits { above.apply(LowBits(bits), &[]) } else { above };
-        value.named(format!("offered_{name}").as_str()).output(format!("out_{name}").as_str());
+        value.named(format!("offered_{name}").as_str()).comment(what).output(format!("out_{name}").as_str());
         below += bits;
     }
 }
@@ -290,19 +299,19 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     let control = sequencer::module(&Sequencer { name: "sequencer", interval, latency, places, pose: reading, waits });
     let m = Control::new("efsat", header(p, latency as usize + 4, places));
     let reset = m.input("reset", Type::FLAG).comment("synchronous, active high");
-    let in_valid = m.input("in_valid", Type::FLAG);
-    let tag = (p.tag_width > 0).then(|| m.input("in_tag", Type::unsigned(p.tag_width)).or(false));
+    let in_valid = m.input("in_valid", Type::FLAG).comment("a pair is offered");
+    let tag = (p.tag_width > 0).then(|| m.input("in_tag", Type::unsigned(p.tag_width)).or(false).comment(TAG));
     let ports = |words: Vec<(String, Place, Type)>| -> Vec<(Place, Wire)> {
         words.into_iter().map(|(port, place, ty)| (place, m.input(port.as_str(), ty))).collect()
     };
     let pair = ports(words(p, pair_numbers()));
     // Without poses B = B~ stays as it is after reset.
-    let pose_valid = has_pose.then(|| m.input("pose_valid", Type::FLAG).or(false));
+    let pose_valid = has_pose.then(|| m.input("pose_valid", Type::FLAG).or(false).comment("a pose is offered"));
     let pose: Vec<(Place, Wire)> =
         ports(words(p, pose_numbers(p))).into_iter().map(|(place, x)| (place, x.or(false))).collect();
-    let bypass = has_pose.then(|| m.input("pose_bypass", Type::FLAG).or(false));
+    let bypass = has_pose.then(|| m.input("pose_bypass", Type::FLAG).or(false).comment("the pose is B = B~"));
     // Without it every answer is taken in the clock in which it is offered.
-    let out_ready = m.input("out_ready", Type::FLAG).or(true);
+    let out_ready = m.input("out_ready", Type::FLAG).or(true).comment("a verdict can be taken");
     let head_ready = waits.then(|| m.later(Type::FLAG));
     let control_inputs: Vec<Wire> =
         [reset, in_valid].into_iter().chain(pose_valid).chain([out_ready]).chain(head_ready).collect();
@@ -367,18 +376,18 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     };
     let offered = m.register("offered_word", taken.ty());
     offered.loads(taken, Some(of("take")), None);
-    of("in_ready").output("in_ready");
+    of("in_ready").comment("a pair can be accepted").output("in_ready");
     if has_pose {
-        of("pose_ready").output("pose_ready");
+        of("pose_ready").comment("a pose can be accepted").output("pose_ready");
     }
-    of("out_valid").output("out_valid");
+    of("out_valid").comment("a verdict is offered").output("out_valid");
     output_fields(p, offered);
     if let Some(tag) = tag {
         let tags = m.memory("tag_queue", of("accept"), of("accept_address"), tag, of("take_address"));
         tags.comment("tags of the pairs accepted and not yet taken");
         let offered_tag = m.register("offered_tag", tags.ty());
         offered_tag.loads(tags, Some(of("take")), None);
-        offered_tag.output("out_tag");
+        offered_tag.comment(TAG).output("out_tag");
     }
     for ((place, _), wire) in path.outputs.iter().zip(&results) {
         if place.base.starts_with("probe_") {

@@ -1,7 +1,7 @@
 //! A core as its projects see it: names, device, clock, files, and ports.
 
 use crate::artefact::files::core::Core;
-use crate::artefact::files::file_lists::FileLists;
+use crate::artefact::files::file_lists::{BenchFiles, FileLists};
 use crate::artefact::{FileSet, Prefix, origin};
 use askama::Template;
 use efsat_hardware::device::Device;
@@ -41,32 +41,28 @@ pub(super) struct Port {
 }
 
 /// Ports that follow each other and differ in their names alone.
-struct PortRow {
-    first: String,
-    last: Option<String>,
-    direction: String,
-    bits: String,
-    open: String,
-    note: String,
+struct PortRow<'a> {
+    port: &'a Port,
+    /// The name of the last one, if they are several.
+    last: Option<&'a str>,
 }
 
-impl PortRow {
-    fn new(ports: &[Port]) -> Self {
-        let (port, last) = (&ports[0], ports.last().filter(|_| ports.len() > 1));
-        let bits = port.ty.split_once('(').and_then(|(_, range)| range.split(" downto ").next()?.parse::<u32>().ok());
-        Self {
-            first: port.name.clone(),
-            last: last.map(|last| last.name.clone()),
-            direction: port.direction.clone(),
-            bits: bits.map_or(1, |high| high + 1).to_string(),
-            open: match port.open.as_deref() {
-                Some("'0'" | "(others => '0')") => "0".to_owned(),
-                Some("'1'") => "1".to_owned(),
-                Some("(others => '1')") => "ones".to_owned(),
-                Some(value) => value.trim_matches('"').to_owned(),
-                None => String::new(),
-            },
-            note: port.note.clone(),
+impl<'a> PortRow<'a> {
+    fn new(ports: &'a [Port]) -> Self {
+        Self { port: &ports[0], last: ports[1..].last().map(|last| &last.name[..]) }
+    }
+
+    fn bits(&self) -> u32 {
+        let range =
+            self.port.ty.split_once('(').and_then(|(_, range)| range.split(" downto ").next()?.parse::<u32>().ok());
+        range.map_or(1, |high| high + 1)
+    }
+
+    fn open(&self) -> &str {
+        match self.port.open.as_deref().unwrap_or_default() {
+            "(others => '0')" => "0",
+            "(others => '1')" => "ones",
+            value => value.trim_matches(['"', '\'']),
         }
     }
 }
@@ -74,13 +70,35 @@ impl PortRow {
 /// An entity and its ports.
 struct PortTable<'a> {
     entity: &'a str,
-    rows: Vec<PortRow>,
+    rows: Vec<PortRow<'a>>,
+}
+
+impl<'a> PortTable<'a> {
+    fn new(entity: &'a str, ports: &'a [Port]) -> Self {
+        let alike = |a: &Port, b: &Port| {
+            // A format is the same in neighbours; any other note is about one port.
+            let format = a.note.is_empty() || a.note.starts_with(['s', 'u']) && !a.note.contains(' ');
+            let stems = [a, b].map(|port| port.name.split('_').next());
+            let same = (&a.direction, &a.ty, &a.open, &a.note) == (&b.direction, &b.ty, &b.open, &b.note);
+            same && format && a.ty != "std_logic" && stems[0] == stems[1]
+        };
+        Self { entity, rows: ports.chunk_by(alike).map(PortRow::new).collect() }
+    }
 }
 
 #[derive(Template)]
 #[template(path = "drop-in/ports.md", escape = "none")]
 struct PortTables<'a> {
     tables: Vec<PortTable<'a>>,
+}
+
+#[derive(Template)]
+#[template(path = "drop-in/simulate.md", escape = "none")]
+struct Simulation<'a> {
+    name: &'a str,
+    stem: String,
+    first: &'a BenchFiles,
+    benches: &'a [BenchFiles],
 }
 
 /// The ports of an entity, from its text. What stands above a port is said of it, too.
@@ -125,19 +143,17 @@ impl Packaged<'_> {
 
     /// The ports of all entities that one may instantiate, as tables in Markdown.
     pub fn port_tables(&self, set: &FileSet) -> String {
-        let alike = |a: &Port, b: &Port| {
-            // A format is the same in neighbours; any other note is about one port.
-            let format = a.note.is_empty() || a.note.starts_with(['s', 'u']) && !a.note.contains(' ');
-            let stem = |port: &Port| port.name.split('_').next().map(str::to_owned);
-            let same = (&a.direction, &a.ty, &a.open, &a.note) == (&b.direction, &b.ty, &b.open, &b.note);
-            same && format && a.ty != "std_logic" && stem(a) == stem(b)
-        };
-        let table = |entity: &'_ String| {
-            let ports = self.ports(set, entity);
-            ports.chunk_by(alike).map(PortRow::new).collect()
-        };
-        let tables = self.instances.iter().map(|entity| PortTable { entity, rows: table(entity) }).collect();
+        let all: Vec<_> = self.instances.iter().map(|entity| (entity, self.ports(set, entity))).collect();
+        let tables = all.iter().map(|(entity, ports)| PortTable::new(entity, ports)).collect();
         PortTables { tables }.render().expect("the template renders")
+    }
+
+    /// How to run the testbenches, in Markdown.
+    pub fn simulation(&self) -> String {
+        let benches = &self.lists.benches;
+        Simulation { name: self.name, stem: self.file(""), first: &benches[0], benches }
+            .render()
+            .expect("the template renders")
     }
 
     /// The clock as SDC, which Vivado reads as XDC.
