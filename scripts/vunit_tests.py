@@ -76,7 +76,7 @@ def add(project, design, test, bench, kept=lambda packet: True):
         host = module_of(design, "host/efsat_engine.py")
         ended = 0
         for number, found, due in packets:
-            *before, head = found[: 1 - test.REPORT_WORDS]
+            *before, head = found[: len(found) - test.REPORT_WORDS + 1] or [0]
             if not isinstance(due, tuple) or head >> host.REPORT_REASON_LOW & 31 != host.REASON_MEMORY:
                 test.compare(number, found, due)
                 continue
