@@ -183,7 +183,8 @@ impl Script {
     /// Words that are not taken fill the queue; one more is refused.
     fn full(&mut self) {
         for i in 0..PLACES {
-            self.write("transmit_low", i);
+            // No packet begins as a query does, which would be counted.
+            self.write("transmit_low", i << 8);
             self.write(if i % 7 == 6 { "transmit_last" } else { "transmit_high" }, !i);
             self.reads("status", i + 1);
         }
