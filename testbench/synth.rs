@@ -133,7 +133,7 @@ fn ecp5_has_the_predicted_multipliers_with_their_registers() {
     let Some(report) = report(&smallest_on_ecp5(), 0, None) else { return };
     let (multipliers, cells) = (report.cells().multipliers, report.top.actual.unwrap());
     assert_eq!((cells.resources.multipliers, cells.registered_multipliers), (multipliers, multipliers));
-    assert!(report.top.foreseen().flip_flops.abs_diff(cells.resources.flip_flops) <= 3, "{cells:?}");
+    assert!(report.top.predicted.flip_flops.abs_diff(cells.resources.flip_flops) <= 3, "{cells:?}");
 }
 
 #[test]
