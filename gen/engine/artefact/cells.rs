@@ -1,8 +1,8 @@
 //! What an engine is predicted to take of a device around its two units, entity by entity.
 //!
-//! Flip-flops, memories and carry chains are those that the templates declare, by the widths that they print. Look-up tables of logic
-//! are what Yosys 0.23 makes of the default engine, split into a base and what grows with the options: so much for each lane, for each
-//! bit that is chosen by lane, for each bit of an entry. A base has three values, by the tables and chains of a family.
+//! Flip-flops, memories and carry chains are those that the templates declare, by the widths that they print. Look-up tables of
+//! logic are what Yosys 0.23 makes of three engines, split into a base and what grows with the options: so much for each lane, for
+//! each bit that is chosen by lane, for each bit of an entry. A base has three values, by the tables and chains of a family.
 
 use super::values::{Lines, Values};
 use super::{EngineDesign, NAME};
@@ -101,8 +101,8 @@ type Memory = (Read, u32, u32);
 /// Chains of carry: how many, and their bits.
 type Chain = (u32, u32);
 
-/// Look-up tables by family: of four inputs in front of chains (Virtex-II), beside chains that have tables of their own (ECP5), and of six
-/// inputs.
+/// Look-up tables by family: of four inputs in front of chains (Virtex-II), beside chains that have tables of their own (ECP5), and
+/// of six inputs.
 type ByFamily = [u32; 3];
 
 /// What is counted by.
@@ -113,7 +113,8 @@ struct Sheet<'a> {
 }
 
 impl EngineDesign {
-    /// The top with the entities around the units, each with what it is predicted to take. Registers behind AXI4-Lite are not among them.
+    /// The top with the entities around the units, each with what it is predicted to take. Registers behind AXI4-Lite are not
+    /// among them.
     #[doc(hidden)]
     pub fn control(&self, device: &Device) -> Entity {
         let sheet = Sheet { design: self, values: Values::new(self), fabric: device.fabric };
@@ -247,21 +248,22 @@ impl Sheet<'_> {
         let (entries, rows) = (9 * format.origin_bits, format.k() * self.values.query.row_bits);
         let (shift, errors) = (3 * format.widths().translation.bits(), 3 * format.shift_error_bits());
         let in_place = [5 * 64, entries, shift, errors, rows].map(|bits| (InPlace, ROWS, bits));
-        let apart = [64, 64, 4 * 32, 64 * (format.pose_words)].map(|bits| (Apart, ROWS, bits));
+        let apart = [64, 64, 4 * 32, 64 * format.pose_words].map(|bits| (Apart, ROWS, bits));
         // Of the longest entries Yosys makes trees of the ECP5's wide multiplexers.
         let trees = if format.origin_bits > 16 { self.of([0, 8 * entries, 0]) } else { 0 };
         let luts = self.of([250, 300, 235]) + trees;
         self.entity("engine_queries", 3 * lanes, &[in_place.as_slice(), &apart].concat(), &[], luts)
     }
 
-    /// For each lane room of both kinds, pairs in flight and expansions that are left; places in flight, and both queues of survivors.
+    /// For each lane room of both kinds, pairs in flight and expansions that are left; places in flight, and both queues of
+    /// survivors.
     fn traverse(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, lane) = (params.queries, params.lane_bits());
         let (node, entry, flight) = (params.block_number_bits, t.entry_bits, t.flight_bits);
         let (child, level) = (node + 1, entry - 2 * node - 4);
-        // Of memories with cells of one bit those that nobody reads are left out: which children an entry has, the fault of a child, and
-        // bits that the number of a block has not.
+        // Of memories with cells of one bit those that nobody reads are left out: which children an entry has, the fault of a child,
+        // and bits that the number of a block has not.
         let single = self.fabric.memory_cell.1 == 1;
         let read = |used: u32, stored: u32| if single { used } else { stored };
         let (met, family) = (read(entry - 4, entry), read(4 * 29, 4 * 30));
