@@ -12,11 +12,11 @@ use efsat_unit::artefact::Prefix;
 use efsat_unit::params::{Method, Params};
 
 /// Part by which an entity of some size may differ; all of them together may by [`WITHIN`].
-const OF_ONE: f64 = 0.15;
+const OF_ONE: f64 = 0.25;
 /// Cells of any kind by which an entity may differ whatever its size.
 const FEW: f64 = 20.0;
 /// Part by which flip-flops and look-up tables as memory may, which are counted.
-const OF_COUNTED: f64 = 0.03;
+const OF_COUNTED: f64 = 0.05;
 
 /// An entity without contents, for what is not looked at.
 fn hollow(text: &str, name: &str) -> String {
@@ -127,7 +127,7 @@ fn an_engine_has_the_predicted_control() {
         directions: Directions::Six,
         memory_width: 128,
         block_lines: 512,
-        triangle_lines: 256,
+        triangle_lines: 512,
         origin_bits: 15,
         expansion_clocks: 2,
         ..EngineParams::default()
