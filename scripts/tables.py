@@ -88,10 +88,10 @@ def busy(found):
     return [share(getattr(found, key), found.clocks, 0) + " %" for key in ("volume_busy", "triangle_busy", "words")]
 
 
-def units(options):
-    """Predicted cells of the two units of an engine; memory and query are no options of the design."""
+def engine(options):
+    """Predicted cells of an engine; memory and query are no options of the design."""
     found = ask("synth --predict --engine " + re.sub(r"--latency \d+|--first-contact", "", options))
-    return [part.predicted for part in found.units.parts if hasattr(part, "predicted")]
+    return found.units.predicted
 
 
 def changed_list(mesh, width):

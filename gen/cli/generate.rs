@@ -8,7 +8,6 @@ use super::params::{EngineArguments, ParamArguments, choice};
 use efsat_checks::synth::{SynthError, verilog};
 use efsat_engine::artefact::{EngineExtras, engine_design_files_with, engine_verilog_files, samples};
 use efsat_engine::ready::{ENGINES, ready_files};
-use efsat_hardware::device::Resources;
 use efsat_hardware::estimate;
 use efsat_unit::artefact::{
     DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, dump_files, programme_files,
@@ -251,12 +250,16 @@ struct EngineWritten {
     multipliers_of_device: usize,
     block_rams: u64,
     block_rams_of_device: u32,
+    luts: u64,
+    flip_flops: u64,
     frequency_mhz: u32,
     #[serde(skip_serializing_if = "Option::is_none")]
     clocks_per_expansion: Option<usize>,
     clocks_per_pair: usize,
     #[serde(skip)]
     engines: u32,
+    #[serde(skip)]
+    without: &'static str,
 }
 
 impl fmt::Display for EngineWritten {
@@ -265,6 +268,7 @@ impl fmt::Display for EngineWritten {
         writeln!(f, "{out}: {files} files")?;
         let there = self.block_rams_of_device;
         writeln!(f, "{multipliers} multipliers ({device} has {all}), {block_rams} block RAMs of 18 kbit ({there})")?;
+        writeln!(f, "{} LUTs with memory and {} flip-flops, predicted{}", self.luts, self.flip_flops, self.without)?;
         writeln!(f, "units pipelined for {} MHz", self.frequency_mhz)?;
         if self.engines > 1 {
             write!(f, "each of {} engines: ", self.engines)?;
@@ -315,29 +319,30 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     set.write(out)?;
     let device = design.unit.device;
     let engines = design.params.engines;
+    let cells = design.cells(device);
     let written = EngineWritten {
         out: out.display().to_string(),
         files: set.len(),
         device: device.name,
         multipliers: engines as usize * design.multipliers().iter().sum::<usize>(),
         multipliers_of_device: device.multipliers as usize,
-        block_rams: u64::from(engines) * design.block_rams(),
+        block_rams: cells.block_rams,
         block_rams_of_device: device.block_rams,
+        luts: cells.resources.luts + cells.resources.memory_luts,
+        flip_flops: cells.resources.flip_flops,
         frequency_mhz: design.unit.params.frequency,
         clocks_per_expansion: (!design.by_number).then_some(design.volume.interval),
         clocks_per_pair: design.unit.interval,
         engines,
+        without: if arguments.registers { " without the registers behind AXI4-Lite" } else { "" },
     };
     if arguments.json {
         print_json(&written)?
     } else {
         print(&written.to_string())?
     }
-    let mut units = vec![&design.unit.top];
-    units.extend((!design.by_number).then_some(&design.volume.stage));
-    let units: Resources = units.into_iter().map(|module| estimate::whole(module, device)).sum();
-    if let Some((kind, used, there)) = (units * u64::from(engines)).shortage(&device.capacity) {
-        warn(&format!("{} has {there} {kind}; the units of the design are predicted to take {used}", device.name));
+    if let Some((kind, used, there)) = cells.resources.shortage(&device.capacity) {
+        warn(&format!("{} has {there} {kind}; the design is predicted to take {used}", device.name));
     }
     if written.block_rams > device.block_rams.into() {
         let EngineWritten { device, block_rams, block_rams_of_device: there, .. } = written;

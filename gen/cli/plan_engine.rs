@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn table(found: &[Candidate], best: &Candidate) -> String {
     let mut text = format!(
-        "{:>10}{:>11}{:>6}{:>8}{:>11}{:>7}{:>13}{:>12}{:>9}{:>8}{:>8}  {}\n",
+        "{:>10}{:>11}{:>6}{:>8}{:>11}{:>7}{:>13}{:>8}{:>12}{:>9}{:>8}{:>8}  {}\n",
         "directions",
         "expansion",
         "pair",
@@ -55,6 +55,7 @@ fn table(found: &[Candidate], best: &Candidate) -> String {
         "triangles",
         "width",
         "multipliers",
+        "LUTs",
         "block RAMs",
         "engines",
         "clocks",
@@ -62,17 +63,18 @@ fn table(found: &[Candidate], best: &Candidate) -> String {
         "busiest"
     );
     for one in found {
-        let Candidate { engine, unit, units, block_rams, engines, limit, .. } = one;
+        let Candidate { engine, unit, cells, block_rams, engines, limit, .. } = one;
         let _ = writeln!(
             text,
-            "{:>10}{:>11}{:>6}{:>8}{:>11}{:>7}{:>13}{:>12}{:>9}{:>8.0}{:>8.0}  {}",
+            "{:>10}{:>11}{:>6}{:>8}{:>11}{:>7}{:>13}{:>8}{:>12}{:>9}{:>8.0}{:>8.0}  {}",
             engine.directions.count(),
             engine.expansion_clocks,
             unit.clocks_per_pair,
             engine.block_lines,
             engine.triangle_lines,
             engine.memory_width,
-            units.multipliers,
+            cells.multipliers,
+            cells.luts + cells.memory_luts,
             block_rams,
             engines,
             one.clocks,

@@ -102,12 +102,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// The engine, if it is asked for.
 fn engine(arguments: &Arguments) -> Result<Option<EngineDesign>, Failure> {
     if arguments.engine {
-        let count = arguments.engine_params.params().engines;
-        if count > 1 {
-            return Err(Failure::Usage(format!(
-                "--engines {count}: expected one engine, whose cells are those of each"
-            )));
-        }
         return arguments.engine_params.design(&arguments.params).map(Some);
     }
     arguments.engine_params.refuse()?;

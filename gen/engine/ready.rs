@@ -115,7 +115,7 @@ fn engine(
         name,
         options,
         multipliers: design.multipliers().iter().sum(),
-        block_rams: design.block_rams(),
+        block_rams: design.control(design.unit.device).whole().block_rams,
         expansion_clocks: design.volume.interval,
         pair_clocks: design.unit.interval,
     })

@@ -83,8 +83,8 @@ pub struct Candidate {
     pub engine: EngineParams,
     /// Parameters of the unit in it.
     pub unit: Params,
-    /// Cells of both units.
-    pub units: Resources,
+    /// Cells of one engine and its share of what several have between them.
+    pub cells: Resources,
     /// Block RAMs of 18 kbit.
     pub block_rams: u64,
     /// Clocks per query, about.
@@ -202,9 +202,6 @@ pub fn count(scene: &Scene, engine: &EngineParams, done: impl Fn() + Sync) -> Re
     if all.is_empty() { Err(PlanError::Empty) } else { Ok(counts) }
 }
 
-/// What the entities around both units take, about: `efsat synth --engine` counts so much of the default engine.
-const AROUND: Resources = Resources { multipliers: 0, luts: 13_000, memory_luts: 0, flip_flops: 8_000, carry: 0 };
-
 /// Which engines there are for a scene and a part, at most so many, the fastest first; of equally fast ones the smallest, with the
 /// least traffic of memory. `done` is called after each frame, for each set of directions.
 ///
@@ -243,7 +240,7 @@ pub fn plan(scene: &Scene, device: &Device, most: u64, done: impl Fn() + Sync) -
         }
     }
     found.sort_by(|x, y| {
-        let cells = |one: &Candidate| one.units.multipliers * one.engines;
+        let cells = |one: &Candidate| one.cells.multipliers * one.engines;
         let memory = |one: &Candidate| (one.bytes().ceil() as u64, one.engine.memory_width, one.block_rams);
         let smaller = || (cells(x), memory(x)).cmp(&(cells(y), memory(y)));
         x.pace().total_cmp(&y.pace()).then_with(smaller)
@@ -274,13 +271,16 @@ fn candidate(
     ];
     let (limit, busiest) = busy.into_iter().max_by(|x, y| x.1.total_cmp(&y.1)).expect("there are three");
     let clocks = busiest + ENDS;
-    let block_rams = design.block_rams();
-    let all = units + AROUND;
+    let count = u64::from(engine.engines);
+    let all = design.cells_around(units, device);
+    let Resources { multipliers, luts, memory_luts, flip_flops, carry } = all.resources;
+    let [multipliers, luts, memory_luts, flip_flops, carry, block_rams] =
+        [multipliers, luts, memory_luts, flip_flops, carry, all.block_rams].map(|all| all.div_ceil(count));
     let share = |there: u64| (FULL * there as f64) as u64;
     let fits = [
-        (Limit::Multipliers, device.multipliers.into(), all.multipliers),
-        (Limit::Luts, share(device.capacity.luts), all.luts + all.memory_luts),
-        (Limit::FlipFlops, share(device.capacity.flip_flops), all.flip_flops),
+        (Limit::Multipliers, device.multipliers.into(), multipliers),
+        (Limit::Luts, share(device.capacity.luts), luts + memory_luts),
+        (Limit::FlipFlops, share(device.capacity.flip_flops), flip_flops),
         (Limit::BlockRams, device.block_rams.into(), block_rams),
         (Limit::Memory, clocks as u64, words.ceil() as u64),
     ];
@@ -289,7 +289,8 @@ fn candidate(
     let engines = engines.min(most);
     engine.engines = engines as u32;
     let unit = unit.clone();
-    let one = Candidate { engine, unit, units, block_rams, clocks, limit, words, engines, full };
+    let cells = Resources { multipliers, luts, memory_luts, flip_flops, carry };
+    let one = Candidate { engine, unit, cells, block_rams, clocks, limit, words, engines, full };
     (engines > 0).then_some(one)
 }
 

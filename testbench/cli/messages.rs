@@ -177,7 +177,7 @@ fn what_does_not_fit_is_said() {
     let said = warns(dir, &format!("generate --engine --out large {large}"));
     assert_eq!(said, "warning: xc2v6000-4 has 144 block RAMs; the design is predicted to take 842\n");
     let many = warns(dir, "generate --engine --out many --clocks-per-pair 1");
-    assert!(many.contains("xc2v6000-4 has 144 multipliers; the units of the design are predicted to take "), "{many}");
+    assert!(many.contains("xc2v6000-4 has 144 multipliers; the design is predicted to take "), "{many}");
     let predicted = |options: &str| object(dir, &format!("synth --predict --engine --json {options}"));
     let block_rams = |options: &str| predicted(options)["block_rams"].clone();
     assert_eq!(block_rams(""), serde_json::json!({"predicted": 74, "capacity": 144}));

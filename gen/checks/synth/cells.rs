@@ -92,8 +92,10 @@ fn resources(kind: &str, family: Family) -> Resources {
         "SRLC32E" | "RAM32X1S" if family == Family::Virtex2 => Resources { memory_luts: 2, ..none },
         "SRLC32E" | "RAM32X1S" | "RAM64X1S" => Resources { memory_luts: 1, ..none },
         "RAM32X1D" if family == Family::Virtex2 => Resources { memory_luts: 4, ..none },
+        "RAM64X1D" if family == Family::Virtex2 => Resources { memory_luts: 8, ..none },
         "RAM16X1D" | "RAM32X1D" | "RAM64X1D" => Resources { memory_luts: 2, ..none },
         "RAM32M" | "RAM64M" | "RAM128X1D" => Resources { memory_luts: 4, ..none },
+        "RAM32M16" | "RAM64M8" => Resources { memory_luts: 8, ..none },
         // Two slices of data and one that writes.
         "TRELLIS_DPR16X4" => Resources { memory_luts: 6, ..none },
         kind if is_flip_flop(kind) => Resources { flip_flops: 1, ..none },

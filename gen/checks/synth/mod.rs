@@ -6,6 +6,8 @@
 //! routed with several seeds.
 
 mod cells;
+#[cfg(test)]
+mod control;
 mod critical_path;
 mod error;
 mod flow;
@@ -94,7 +96,7 @@ pub struct Report {
 impl Report {
     /// The cells of the whole: as mapped if a tool ran, else as predicted.
     pub fn cells(&self) -> Resources {
-        self.top.actual.map_or_else(|| self.top.foreseen(), |cells| cells.resources)
+        self.top.actual.map_or(self.top.predicted, |cells| cells.resources)
     }
 
     /// Whether the cells are there on the part, which a placer finds out late.
@@ -117,7 +119,7 @@ impl Report {
     /// multipliers, and a target clock (in MHz) that is missed after routing.
     pub fn faults(&self, target: u32) -> Vec<String> {
         let mut faults = vec![];
-        let (predicted, actual) = (self.top.foreseen().multipliers, self.cells().multipliers);
+        let (predicted, actual) = (self.top.predicted.multipliers, self.cells().multipliers);
         if predicted != actual {
             faults.push(format!("{actual} multipliers instead of {predicted}"));
         }

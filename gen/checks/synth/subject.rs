@@ -30,7 +30,7 @@ impl Subject<'_> {
     pub fn top(&self) -> &str {
         match self {
             Self::Unit(design) => &design.top.name,
-            Self::Engine(_) => engine::NAME,
+            Self::Engine(design) => design.top(),
         }
     }
 
@@ -47,8 +47,7 @@ impl Subject<'_> {
         self.modelled(flow, None)
     }
 
-    /// What the model and the schedule say, beside the counts of a netlist of units. Of the entities of the engine itself
-    /// the block RAMs alone are predicted.
+    /// What the model and the schedule say, beside the counts of a netlist of units.
     pub(super) fn modelled(&self, flow: Flow, netlist: Option<&Netlist>) -> Report {
         let unit = self.unit();
         let counted_for = flow.device(unit.device);
@@ -57,9 +56,10 @@ impl Subject<'_> {
             Self::Unit(_) => (units::tree(&unit.top, counted_for, netlist), unit.clock(), None, 0),
             Self::Engine(design) => {
                 let volume = &design.volume;
-                let top = units::around(engine::NAME, &[&volume.stage, &unit.top], counted_for, netlist);
+                let control = design.control(counted_for);
+                let top = units::around(&control, &design.units(), counted_for, netlist);
                 let slower = if volume.clock().0 < unit.clock().0 { volume.clock() } else { unit.clock() };
-                (top, slower, Some(volume.interval), design.block_rams())
+                (top, slower, Some(volume.interval), control.whole().block_rams)
             }
         };
         Report {
@@ -81,7 +81,7 @@ impl Subject<'_> {
     pub(super) fn harness(&self, netlist: &Netlist) -> String {
         match self {
             Self::Unit(design) => harness::of_module(&design.top),
-            Self::Engine(_) => harness::of_netlist(engine::NAME, "aclk", &netlist.modules[engine::NAME]),
+            Self::Engine(_) => harness::of_netlist(self.top(), "aclk", &netlist.modules[self.top()]),
         }
     }
 
@@ -89,7 +89,7 @@ impl Subject<'_> {
     pub(super) fn names(&self, netlist: &Netlist) -> Names {
         match self {
             Self::Unit(design) => Names::new(&design.top),
-            Self::Engine(_) => Names::of_netlist(netlist, engine::NAME),
+            Self::Engine(_) => Names::of_netlist(netlist, self.top()),
         }
     }
 }

@@ -6,9 +6,10 @@ use super::{Flow, VERILOG};
 use crate::synth::netlist::Netlist;
 use crate::synth::tools::Tool;
 use crate::synth::{ToolError, yosys};
+use efsat_engine::artefact::NAME;
+use efsat_engine::artefact::cells::Entity;
 use efsat_hardware::device::{Device, Resources};
 use efsat_hardware::{estimate, netlist::Module};
-use std::collections::BTreeSet;
 use std::ops::Add;
 use std::path::Path;
 
@@ -22,20 +23,12 @@ pub struct Unit {
     pub entity: String,
     /// Instances of it in the unit around it.
     pub instances: u64,
-    /// What the device model predicts for one instance with everything in it; none of an entity around units of ours.
-    pub predicted: Option<Resources>,
+    /// What is predicted for one instance with everything in it.
+    pub predicted: Resources,
     /// What the synthesis tool made of one instance with everything in it; none if none ran.
     pub actual: Option<Cells>,
     /// The units in it.
     pub parts: Vec<Unit>,
-}
-
-impl Unit {
-    /// What is predicted of it, or of the units in it if it is not predicted itself.
-    pub fn foreseen(&self) -> Resources {
-        let of_parts = || self.parts.iter().map(|part| part.foreseen() * part.instances).sum();
-        self.predicted.unwrap_or_else(of_parts)
-    }
 }
 
 /// Maps entity by entity, so that nothing is shared between units and every cell belongs to one.
@@ -62,29 +55,14 @@ pub(super) fn tree(top: &Module, device: &Device, netlist: Option<(&Netlist, Flo
     unit(top, 1, device, netlist)
 }
 
-/// An entity around units of ours, which alone are predicted. Where there is a netlist, all entities in between are told.
-pub(super) fn around(top: &str, units: &[&Module], device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {
-    if let Some(netlist) = netlist {
-        return below(top, 1, units, device, netlist);
+/// An entity of the control of an engine, with everything in it.
+pub(super) fn around(entity: &Entity, units: &[&Module], device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {
+    let mut parts: Vec<Unit> = entity.parts.iter().map(|part| around(part, units, device, netlist)).collect();
+    if entity.name == NAME {
+        parts.extend(units.iter().map(|module| unit(module, 1, device, netlist)));
+        parts.sort_by(|x, y| x.entity.cmp(&y.entity));
     }
-    let parts: Vec<Unit> = units.iter().map(|module| unit(module, 1, device, None)).collect();
-    Unit { entity: top.to_owned(), instances: 1, predicted: None, actual: None, parts }
-}
-
-fn below(name: &str, instances: u64, known: &[&Module], device: &Device, (netlist, flow): (&Netlist, Flow)) -> Unit {
-    if let Some(module) = known.iter().find(|module| module.name == name) {
-        return unit(module, instances, device, Some((netlist, flow)));
-    }
-    let module = &netlist.modules[name];
-    let ours = |kind: &&str| netlist.modules.get(*kind).is_some_and(|module| !module.is_library());
-    let kinds: Vec<&str> = module.cells.values().map(|cell| cell.kind.as_str()).filter(ours).collect();
-    let count = |kind: &str| kinds.iter().filter(|other| **other == kind).count() as u64;
-    let parts: BTreeSet<&str> = kinds.iter().copied().collect();
-    let parts: Vec<Unit> =
-        parts.into_iter().map(|kind| below(kind, count(kind), known, device, (netlist, flow))).collect();
-    let in_parts = parts.iter().filter_map(|part| part.actual.map(|cells| cells * part.instances));
-    let actual = Some(in_parts.fold(cells::own(module, flow.family()), Add::add));
-    Unit { entity: name.to_owned(), instances, predicted: None, actual, parts }
+    gathered(entity.name, entity.instances, entity.own.resources, parts, netlist)
 }
 
 fn unit(module: &Module, instances: u64, device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {
@@ -95,13 +73,17 @@ fn unit(module: &Module, instances: u64, device: &Device, netlist: Option<(&Netl
             None => kinds.push((&instance.module, 1)),
         }
     }
-    let parts: Vec<Unit> = kinds.into_iter().map(|(part, count)| unit(part, count, device, netlist)).collect();
-    let own = |(netlist, flow): (&Netlist, Flow)| {
-        netlist.modules.get(&module.name).map(|module| cells::own(module, flow.family())).unwrap_or_default()
+    let parts = kinds.into_iter().map(|(part, count)| unit(part, count, device, netlist)).collect();
+    gathered(&module.name, instances, estimate::own(module, device), parts, netlist)
+}
+
+/// A unit of which is known what it is predicted to take by itself, and its parts.
+fn gathered(name: &str, instances: u64, own: Resources, parts: Vec<Unit>, netlist: Option<(&Netlist, Flow)>) -> Unit {
+    let mapped = |(netlist, flow): (&Netlist, Flow)| {
+        netlist.modules.get(name).map(|module| cells::own(module, flow.family())).unwrap_or_default()
     };
     let in_parts = parts.iter().filter_map(|part| part.actual.map(|cells| cells * part.instances));
-    let actual = netlist.map(|netlist| in_parts.fold(own(netlist), Add::add));
-    let below: Resources = parts.iter().map(|part| part.foreseen() * part.instances).sum();
-    let predicted = Some(estimate::own(module, device) + below);
-    Unit { entity: module.name.clone(), instances, predicted, actual, parts }
+    let actual = netlist.map(|netlist| in_parts.fold(mapped(netlist), Add::add));
+    let below: Resources = parts.iter().map(|part| part.predicted * part.instances).sum();
+    Unit { entity: name.to_owned(), instances, predicted: own + below, actual, parts }
 }

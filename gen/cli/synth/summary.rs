@@ -59,8 +59,7 @@ struct Mapped {
 struct Branch<'a> {
     entity: &'a str,
     instances: u64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    predicted: Option<Prediction>,
+    predicted: Prediction,
     #[serde(skip_serializing_if = "Option::is_none")]
     actual: Option<Mapped>,
     parts: Vec<Branch<'a>>,
@@ -140,7 +139,7 @@ impl<'a> From<&'a Unit> for Branch<'a> {
         Self {
             entity: &unit.entity,
             instances: unit.instances,
-            predicted: unit.predicted.map(Prediction::from),
+            predicted: unit.predicted.into(),
             actual: unit.actual.map(Mapped::from),
             parts: unit.parts.iter().map(Branch::from).collect(),
         }

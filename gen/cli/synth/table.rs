@@ -1,6 +1,7 @@
 //! The text of `efsat synth`.
 
 use efsat_checks::synth::{CriticalPath, Placed, Report, Routed, Timing, Unit};
+use efsat_engine::artefact::cells::WITHIN;
 use efsat_hardware::device::Resources;
 use efsat_unit::design::top::pace;
 use efsat_unit::params::Params;
@@ -35,7 +36,7 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
     if let Some(clocks) = report.expansion_clocks {
         let _ = writeln!(
             text,
-            "{}; predicted are the two units alone, and block RAMs",
+            "{}; LUTs of what is around the units are expected within {WITHIN} %",
             pace(clocks).replacen("pair", "expansion", 1)
         );
     }
@@ -68,14 +69,13 @@ fn row(text: &mut String, unit: &Unit, depth: usize) {
     let times = if unit.instances > 1 { format!(" x {}", unit.instances) } else { String::new() };
     let name = format!("{:1$}{2}{times}", "", 2 * depth, unit.entity);
     let _ = write!(text, "{name:NAME$}");
-    let predicted = unit.predicted.map(|cells| columns(cells * unit.instances));
+    let predicted = columns(unit.predicted * unit.instances);
     let actual = unit.actual.map(|cells| columns(cells.resources * unit.instances));
     for column in 0..COLUMNS.len() {
-        let _ = match (predicted.map(|p| p[column]), actual.map(|a| a[column])) {
-            (Some(p), Some(a)) => write!(text, "{p:>7} |{a:>6}{:>7}", difference(p, a)),
-            (None, Some(a)) => write!(text, "{:>7} |{a:>6}{:>7}", "", ""),
-            (Some(p), None) => write!(text, "{p:>13}"),
-            (None, None) => write!(text, "{:>13}", ""),
+        let p = predicted[column];
+        let _ = match actual.map(|a| a[column]) {
+            Some(a) => write!(text, "{p:>7} |{a:>6}{:>7}", difference(p, a)),
+            None => write!(text, "{p:>13}"),
         };
     }
     text.push('\n');

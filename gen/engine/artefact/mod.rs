@@ -2,10 +2,12 @@
 //! `values` computes, the unit and the volume unit.
 
 mod by_number;
+// For the command line, the checks and the studies.
+#[doc(hidden)]
+pub mod cells;
 mod engines;
 mod files;
 mod host;
-mod memories;
 mod meshes;
 mod registers;
 // For co-simulation and the testbench.
@@ -26,6 +28,7 @@ use crate::host::{Image, TRIANGLES_AT};
 use crate::params::{EngineParams, Memory, MemoryPorts, OFFSET_BITS};
 use crate::words::{EngineReport, LINK_NUMBER_BITS};
 use askama::Template;
+use efsat_hardware::netlist::Module;
 use efsat_hardware::vhdl::Clash;
 use efsat_unit::artefact::{Prefix, origin, vhdl_files};
 use efsat_unit::design::Design;
@@ -170,6 +173,13 @@ impl EngineDesign {
             layout.loads.retain(|load| load[1] >= u64::from(TRIANGLES_AT) << 6);
         }
         Ok(layout)
+    }
+
+    /// The unit and the volume unit, of one engine.
+    #[doc(hidden)]
+    pub fn units(&self) -> Vec<&Module> {
+        let volume = (!self.by_number).then_some(&*self.volume.stage);
+        [&*self.unit.top].into_iter().chain(volume).collect()
     }
 
     /// Multipliers of the unit and of the volume unit, of one engine.

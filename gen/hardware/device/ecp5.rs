@@ -34,6 +34,9 @@ static FABRIC: Fabric = Fabric {
     multiplier_registers: MultiplierRegisters::Product,
     longest_shift: 0,
     memory_cell: (16, 4, 6),
+    one_place_bits: 4,
+    deepest_table_memory: 32,
+    guarded_block_rams: true,
 };
 
 /// The largest ECP5, slowest speed grade.

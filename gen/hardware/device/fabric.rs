@@ -23,6 +23,12 @@ pub struct Fabric {
     pub longest_shift: usize,
     /// Distributed memory: words and bits of one cell, and the look-up tables it takes.
     pub memory_cell: (usize, u32, u64),
+    /// Bits of such a cell that is read where it is written.
+    pub one_place_bits: u32,
+    /// Places up to which a memory whose output is a register is made of look-up tables, not of block RAM.
+    pub deepest_table_memory: u32,
+    /// Whether synthesis keeps what goes into a block RAM in registers, for a read of the place that is written.
+    pub guarded_block_rams: bool,
 }
 
 /// Where the operands of a carry chain meet.
@@ -56,6 +62,9 @@ pub(super) static SIX_INPUTS: Fabric = Fabric {
     multiplier_registers: MultiplierRegisters::OperandsAndProduct,
     longest_shift: 32,
     memory_cell: (32, 6, 4),
+    one_place_bits: 8,
+    deepest_table_memory: 64,
+    guarded_block_rams: false,
 };
 
 impl Fabric {
@@ -77,9 +86,10 @@ impl Fabric {
         }
     }
 
-    /// Look-up tables of a memory.
-    pub fn memory_luts(&self, words: usize, bits: u32) -> u64 {
+    /// Look-up tables of a memory, which is read where it is written or elsewhere.
+    pub fn memory_luts(&self, words: usize, bits: u32, in_place: bool) -> u64 {
         let (cell_words, cell_bits, luts) = self.memory_cell;
+        let cell_bits = if in_place { self.one_place_bits } else { cell_bits };
         words.div_ceil(cell_words) as u64 * u64::from(bits.div_ceil(cell_bits)) * luts
     }
 }
@@ -92,10 +102,12 @@ mod tests {
     fn a_memory_is_whole_cells() {
         let fabric = |name| device::find(name).unwrap().fabric;
         // RAM16X1D: two tables a bit and 16 words.
-        assert_eq!(fabric("xc2v6000-4").memory_luts(16, 40), 80);
-        assert_eq!(fabric("xc2v6000-4").memory_luts(32, 3), 12);
+        assert_eq!(fabric("xc2v6000-4").memory_luts(16, 40, false), 80);
+        assert_eq!(fabric("xc2v6000-4").memory_luts(32, 3, false), 12);
+        // RAM16X1S: one.
+        assert_eq!(fabric("xc2v6000-4").memory_luts(16, 40, true), 40);
         // TRELLIS_DPR16X4: six tables for four bits.
-        assert_eq!(fabric("lfe5u-85-6").memory_luts(16, 5), 12);
+        assert_eq!(fabric("lfe5u-85-6").memory_luts(16, 5, false), 12);
     }
 
     #[test]

@@ -75,6 +75,9 @@ static FABRIC: Fabric = Fabric {
     multiplier_registers: MultiplierRegisters::Product,
     longest_shift: 16,
     memory_cell: (16, 1, 2),
+    one_place_bits: 2,
+    deepest_table_memory: 16,
+    guarded_block_rams: false,
 };
 
 /// The paper's part.

@@ -151,7 +151,7 @@ impl<'a> Reader<'a> {
         roots.extend(self.module.instances.iter().flat_map(|i| &i.inputs).flat_map(|id| self.of(*id)));
         for signal in &self.module.signals {
             resources.memory_luts += match &signal.driver {
-                Driver::Memory { depth, .. } => fabric.memory_luts(*depth, signal.ty.bits),
+                Driver::Memory { depth, .. } => fabric.memory_luts(*depth, signal.ty.bits, false),
                 Driver::Line { .. } => {
                     LINE_CLOCKS.div_ceil(fabric.longest_shift.max(1)) as u64 * u64::from(signal.ty.bits)
                 }
