@@ -14,7 +14,8 @@ pub(super) fn loop_label(body: &[Statement]) -> String {
     match &body[0] {
         Statement::Assign(target, _) => {
             let part = |sub: &Sub| match sub {
-                Sub::Index(Index::At(i)) => format!("_{i}"),
+                Sub::Index(Index::At(i)) | Sub::Range(i, _) => format!("_{i}"),
+                Sub::Index(Index::Loop { plus, modulo: None, .. }) if *plus > 0 => format!("_from_{plus}"),
                 Sub::Index(Index::Loop { .. }) => String::new(),
                 Sub::Field(field) => format!("_{field}"),
             };
@@ -75,8 +76,9 @@ pub(super) fn sequential(
             }
             lines.push(format!("{pad}end if;"));
         }
-        Statement::Loop { depth: variable, size, body } => {
-            lines.push(format!("{pad}for {} in 0 to {} loop", loop_variable(*variable), size - 1));
+        Statement::Loop { depth: variable, first, size, body } => {
+            let last = first + size - 1;
+            lines.push(format!("{pad}for {} in {first} to {last} loop", loop_variable(*variable)));
             body.iter().for_each(|s| sequential(shapes, s, depth + 1, functions, lines));
             lines.push(format!("{pad}end loop;"));
         }
