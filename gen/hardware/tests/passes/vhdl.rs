@@ -415,7 +415,7 @@ fn delays_are_lines_and_phases_are_tables() {
           signal sum : signed(12 downto 0);  -- s9.4; |.| <= 1151
           signal shift_at_3 : signed(7 downto 0) := (others => '0');  -- s4.4
           signal shifted : signed(8 downto 0);  -- s5.4; |.| <= 130
-          signal holds0_or_in_phase_3 : std_logic;
+          signal busy_0 : std_logic;  -- set in the clock before a pair, and in clock 0 of one
           signal in_phase_1 : std_logic;
           signal busy_3 : std_logic := '0';  -- set in clocks 2 to 5 of a pair
         begin
@@ -430,7 +430,7 @@ fn delays_are_lines_and_phases_are_tables() {
           end process strobes;
           in_phase_3 <= flag(known(phase) = 3);
           in_flight <= holds(0) or holds(1) or in_phase_3;
-          holds0_or_in_phase_3 <= holds(0) or in_phase_3;
+          busy_0 <= holds(0) or in_phase_3;
           in_phase_1 <= flag(known(phase) = 1);
 
           -- Clock 0
@@ -466,7 +466,7 @@ fn delays_are_lines_and_phases_are_tables() {
           selectors : process (clk)
           begin
             if rising_edge(clk) then
-              if holds0_or_in_phase_3 = '1' then
+              if busy_0 = '1' then
                 x_select_at_0 <= to_unsigned(x_select_at_0_table(to_integer(known(phase))), 2);
               end if;
               if busy_3 = '1' then
@@ -501,6 +501,21 @@ fn delays_are_lines_and_phases_are_tables() {
           end process delays;
         end architecture rtl;"#]]
     .assert_eq(&inside(&lowered(&block, 100)));
+}
+
+#[test]
+fn copies_that_are_held_are_arrays_with_the_numbers_of_the_bundle() {
+    let block = block(2, |top| {
+        let a = [0; 5].map(|_| top.input(S8, ALL)).to_vec().named("a");
+        let b = top.input(S8, ALL).named("b");
+        let mut power = b;
+        for k in 0..4 {
+            power = (power * b).named_at("power", k).floor(8).bits(8);
+        }
+        let sums: Vec<Sig> = a[1..].iter().map(|a| *a + power).collect();
+        [vec![(a[0] + power.negative().choose(a[0], b)).named("y")], sums.named("sums")].concat()
+    });
+    expect![[r#""#]].assert_eq(&inside(&lowered(&block, 100)));
 }
 
 #[test]
