@@ -262,7 +262,8 @@ impl Printer<'_, '_> {
                 let free = matches!(&s.driver, Driver::Register { enable: None, reset: None, .. });
                 (free && s.clock == clock).then(|| Statement::Assign(name.clone(), self.view.driven(id)))
             });
-            if !free.is_empty() {
+            let has_strobes = !free.is_empty();
+            if has_strobes {
                 let label = match clock {
                     Some(c) => format!("clock_{c}"),
                     None if lowered => "strobes".to_owned(),
@@ -286,9 +287,12 @@ impl Printer<'_, '_> {
             if lines.is_empty() {
                 continue;
             }
+            let constant = self.view.are_constants(clock);
             let heading = match clock {
                 Some(c) => format!("Clock {c}"),
-                None if lowered => "Strobes, one per phase".to_owned(),
+                None if lowered && has_strobes => "Strobes, one per phase, and flags of pairs".to_owned(),
+                None if lowered && constant => "Constants".to_owned(),
+                None if lowered => "Flags of phases and pairs".to_owned(),
                 None => String::new(),
             };
             blocks.push(Block { heading, lines });

@@ -164,6 +164,16 @@ impl<'a> View<'a> {
         object.members.iter().filter_map(clock).collect()
     }
 
+    /// Whether all that is driven without a register from some clock on is constant.
+    pub fn are_constants(&self, clock: Option<i32>) -> bool {
+        let mut all =
+            self.module.signals.iter().zip(&self.inlined).filter(|(s, inlined)| s.clock == clock && !**inlined);
+        all.all(|(s, _)| match &s.driver {
+            Driver::Combinational { op, .. } => matches!(op, Comb::Constant(_)),
+            _ => true,
+        })
+    }
+
     /// The shapes of all objects.
     pub fn shapes(&self) -> impl Iterator<Item = &Shape> {
         self.objects.iter().chain(&self.outputs).chain(&self.between).map(|o| &o.shape)

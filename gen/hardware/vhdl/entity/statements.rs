@@ -89,9 +89,8 @@ pub(super) fn sequential(
 /// Whether a choice between two can be written as a function of numbers.
 fn simple(shapes: &dyn Shapes, target: &Name, legs: &[Expression]) -> bool {
     // Whole records and arrays have no such function.
-    let whole = |leg: &Expression| matches!(leg, Expression::Name(name) if name.subs.len() < target.subs.len());
-    let number = matches!(shapes.part(target), Some(Shape::Flag | Shape::Number(..)));
-    legs.len() == 2 && number && !target.subs.is_empty() && !legs.iter().any(whole)
+    let number = |name: &Name| matches!(shapes.part(name), Some(Shape::Flag | Shape::Number(..)));
+    legs.len() == 2 && !target.subs.is_empty() && number(target)
 }
 
 /// `index = i`, as a condition.

@@ -24,12 +24,6 @@ struct Copy {
 /// Copies of one value under one enable, each loaded from the one before.
 type Strand = Vec<Copy>;
 
-/// How a copy of a held value is called: the suffix of that value, and by how many clocks later the copy is loaded.
-pub(super) fn clocks_later(place: &Place) -> Option<(&str, i32)> {
-    let (suffix, clocks) = place.suffix.rsplit_once("_h")?;
-    Some((suffix, clocks.parse().ok()?))
-}
-
 /// The places of copies in arrays. Others keep theirs, as those do that `is_apart` names.
 pub(super) fn places(module: &Module, is_apart: &dyn Fn(SignalId) -> bool) -> HashMap<SignalId, Place> {
     let mut bundles: Vec<((&str, &str), Vec<Copy>)> = vec![];
@@ -41,7 +35,7 @@ pub(super) fn places(module: &Module, is_apart: &dyn Fn(SignalId) -> bool) -> Ha
             *size = (*size).max(k + 1);
         }
         let Driver::Register { op: None, args, enable: Some(enable), reset: None } = &signal.driver else { continue };
-        let Some((suffix, clocks)) = clocks_later(place).filter(|_| !is_apart(id)) else { continue };
+        let Some((suffix, clocks)) = place.held().filter(|_| !is_apart(id)) else { continue };
         let copy = Copy { id, path: place.path.clone(), ty: signal.ty, from: args[0], enable: *enable, clocks };
         match bundles.iter_mut().find(|b| b.0 == (&place.base, suffix)) {
             Some((_, copies)) => copies.push(copy),
