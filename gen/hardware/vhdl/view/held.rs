@@ -107,6 +107,9 @@ impl Arrays {
     }
 }
 
+/// When the copies of a strand are loaded: by how many clocks later, and the enable.
+type Loads = (Vec<i32>, SignalId);
+
 /// Strands of one ordinal that are loaded alike, by rows of elements.
 struct Group {
     rows: Vec<Vec<Vec<Strand>>>,
@@ -118,7 +121,7 @@ struct Group {
 fn groups(values: Vec<Vec<Strand>>) -> Vec<Vec<Group>> {
     let most = values.iter().map(Vec::len).max().unwrap_or(0);
     let of_ordinal = |k: usize| {
-        let mut chains: Vec<((Vec<i32>, SignalId), Vec<Strand>)> = vec![];
+        let mut chains: Vec<(Loads, Vec<Strand>)> = vec![];
         let mut single: BTreeMap<i32, Vec<Strand>> = BTreeMap::new();
         for strand in values.iter().filter_map(|strands| strands.get(k).cloned()) {
             let key = (strand.iter().map(|copy| copy.clocks).collect(), strand[0].enable);
