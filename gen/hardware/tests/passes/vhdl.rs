@@ -604,21 +604,9 @@ fn copies_that_are_held_are_arrays_with_the_numbers_of_the_bundle() {
           begin
             if rising_edge(clk) then
               if strobe(1) = '1' then
-                if power0(15) = '1' then
-                  power_choice_h1(1) <= b;
-                else
-                  power_choice_h1(1) <= a(0);
-                end if;
-                if power1(15) = '1' then
-                  power_choice_h1(2) <= b_h3;
-                else
-                  power_choice_h1(2) <= a_held_2(0);
-                end if;
-                if power2(15) = '1' then
-                  power_choice_h1(3) <= b_h5;
-                else
-                  power_choice_h1(3) <= a0_h5;
-                end if;
+                power_choice_h1(1) <= choose(power0(15), b, a(0));
+                power_choice_h1(2) <= choose(power1(15), b_h3, a_held_2(0));
+                power_choice_h1(3) <= choose(power2(15), b_h5, a0_h5);
                 b_held <= b & b_held(0 to 1);
                 a0_held <= a(0) & a0_held(0 to 2);
                 for m in 1 to 4 loop
