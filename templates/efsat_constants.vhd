@@ -13,7 +13,7 @@ package {{ prefix }}{{ of }}_constants is
 {% endif %}
   -- {{ group.what }}
 {%- for constant in group.constants %}
-  constant {{ constant.name }} : {{ constant.vhdl() }};  -- {{ constant.what }}
+  constant {{ prefix }}{{ of }}_{{ constant.name }} : {{ constant.vhdl() }};  -- {{ constant.what }}
 {%- endfor %}
 {%- endfor %}
 end package {{ prefix }}{{ of }}_constants;

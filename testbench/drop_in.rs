@@ -171,22 +171,23 @@ use work.efsat_constants.all;
 entity around is end entity around;
 architecture mine of around is
   signal clk, valid, last, ready, out_valid, out_last, out_ready : std_logic := '0';
-  signal word : std_logic_vector(word_bits - 1 downto 0);
-  signal keep : std_logic_vector(word_bits / 8 - 1 downto 0);
-  signal answer : std_logic_vector(answer_word_bits - 1 downto 0);
-  signal answer_keep : std_logic_vector(answer_word_bits / 8 - 1 downto 0);
-  signal tag : std_logic_vector(tag_bits - 1 downto 0);
-  signal separated, overlapping : std_logic_vector(flag_bits - 1 downto 0);
+  signal word : std_logic_vector(efsat_word_bits - 1 downto 0);
+  signal keep : std_logic_vector(efsat_word_bits / 8 - 1 downto 0);
+  signal answer : std_logic_vector(efsat_answer_word_bits - 1 downto 0);
+  signal answer_keep : std_logic_vector(efsat_answer_word_bits / 8 - 1 downto 0);
+  signal tag : std_logic_vector(efsat_tag_bits - 1 downto 0);
+  signal separated, overlapping : std_logic_vector(efsat_flag_bits - 1 downto 0);
 begin
   unit : entity work.efsat_stream
     port map (aclk => clk, aresetn => clk, s_axis_tdata => word, s_axis_tkeep => keep, s_axis_tvalid => valid,
       s_axis_tlast => last, s_axis_tready => ready, m_axis_tdata => answer, m_axis_tkeep => answer_keep,
       m_axis_tvalid => out_valid, m_axis_tlast => out_last, m_axis_tready => out_ready);
-  tag <= answer(answer_tag_low + tag_bits - 1 downto answer_tag_low);
-  separated <= answer(answer_separated_low + flag_bits - 1 downto answer_separated_low);
-  overlapping <= answer(answer_overlapping_low + flag_bits - 1 downto answer_overlapping_low);
-  assert record_number_low + pair_numbers * record_number_step <= pair_words * word_bits severity failure;
-  assert pairs_header(7 downto 0) = x\"01\" severity failure;
+  tag <= answer(efsat_answer_tag_low + efsat_tag_bits - 1 downto efsat_answer_tag_low);
+  separated <= answer(efsat_answer_separated_low + efsat_flag_bits - 1 downto efsat_answer_separated_low);
+  overlapping <= answer(efsat_answer_overlapping_low + efsat_flag_bits - 1 downto efsat_answer_overlapping_low);
+  assert efsat_record_number_low + efsat_pair_numbers * efsat_record_number_step <= efsat_pair_words * efsat_word_bits
+    severity failure;
+  assert efsat_pairs_header(7 downto 0) = x\"01\" severity failure;
 end architecture mine;
 ";
 
@@ -215,7 +216,7 @@ fn what_is_around_the_wrapper_is_written_with_constants() {
             ("pair_words", &manifest["stream"]["pair_words"]),
             ("stream_clocks_per_pair", &manifest["stream"]["clocks_per_pair"]),
         ] {
-            assert!(package.contains(&format!("  constant {name} : natural := {value};")), "{name}: {package}");
+            assert!(package.contains(&format!("  constant efsat_{name} : natural := {value};")), "{name}: {package}");
         }
     }
 }

@@ -24,6 +24,8 @@ pub enum Index {
 pub enum Sub {
     /// An element of an array.
     Index(Index),
+    /// Elements of an array, from one to another; those of flags are counted down.
+    Range(usize, usize),
     /// A field of a record.
     Field(&'static str),
 }
@@ -41,6 +43,15 @@ impl Name {
     /// A whole object.
     pub fn whole(base: impl Into<String>) -> Self {
         Self { base: base.into(), subs: vec![] }
+    }
+
+    /// The same with every index replaced.
+    pub fn with_indices(&self, f: &mut dyn FnMut(&Index) -> Index) -> Self {
+        let sub = |sub: &Sub| match sub {
+            Sub::Index(index) => Sub::Index(f(index)),
+            other => other.clone(),
+        };
+        Self { base: self.base.clone(), subs: self.subs.iter().map(sub).collect() }
     }
 }
 
@@ -201,6 +212,15 @@ impl Expression {
         }
     }
 
+    /// The same with every index replaced.
+    pub fn with_indices(&self, f: &mut dyn FnMut(&Index) -> Index) -> Self {
+        match self {
+            Self::Name(name) => Self::Name(name.with_indices(f)),
+            Self::Count(index, ty) => Self::Count(f(index), *ty),
+            other => other.with_parts(|part| part.with_indices(f)),
+        }
+    }
+
     /// Every name in it.
     pub fn names(&self) -> Vec<&Name> {
         match self {
@@ -279,6 +299,8 @@ impl Display for Name {
         write!(f, "{}", self.base)?;
         self.subs.iter().try_for_each(|sub| match sub {
             Sub::Index(index) => write!(f, "({index})"),
+            Sub::Range(from, to) if from > to => write!(f, "({from} downto {to})"),
+            Sub::Range(from, to) => write!(f, "({from} to {to})"),
             Sub::Field(field) => write!(f, ".{field}"),
         })
     }

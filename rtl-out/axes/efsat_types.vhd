@@ -75,6 +75,9 @@ package efsat_types is
   constant zero_interval_39 : interval_39_t := (lo => (others => '0'), hi => (others => '0'));
   type signed_32_x3_t is array (0 to 2) of signed(31 downto 0);
   constant zero_signed_32_x3 : signed_32_x3_t := (others => (others => '0'));
+  type unsigned_4_1_to_2_t is array (1 to 2) of unsigned(3 downto 0);
+  constant zero_unsigned_4_1_to_2 : unsigned_4_1_to_2_t := (others => (others => '0'));
+  type unsigned_17_1_to_2_t is array (1 to 2) of unsigned(16 downto 0);
   type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);
   constant zero_unsigned_2_vector : unsigned_2_vector_t := (others => (others => '0'));
   type unsigned_4_vector_t is array (0 to 2) of unsigned(3 downto 0);
@@ -94,6 +97,8 @@ package efsat_types is
   type signed_64_vector_t is array (0 to 2) of signed(63 downto 0);
   constant zero_signed_64_vector : signed_64_vector_t := (others => (others => '0'));
   type flag_x2_x2_t is array (0 to 1) of std_logic_vector(1 downto 0);
+  type flag_x3_x2_t is array (0 to 1) of std_logic_vector(2 downto 0);
+  constant zero_flag_x3_x2 : flag_x3_x2_t := (others => (others => '0'));
   type unsigned_2_vector_x2_t is array (0 to 1) of unsigned_2_vector_t;
   constant zero_unsigned_2_vector_x2 : unsigned_2_vector_x2_t := (others => zero_unsigned_2_vector);
   type flag_x3_x3_t is array (0 to 2) of std_logic_vector(2 downto 0);
@@ -104,6 +109,10 @@ package efsat_types is
   constant zero_interval_22_x4 : interval_22_x4_t := (others => zero_interval_22);
   type unsigned_2_vector_x4_t is array (0 to 3) of unsigned_2_vector_t;
   constant zero_unsigned_2_vector_x4 : unsigned_2_vector_x4_t := (others => zero_unsigned_2_vector);
+  type unsigned_2_vector_1_to_2_t is array (1 to 2) of unsigned_2_vector_t;
+  type signed_18_vector_1_to_2_t is array (1 to 2) of signed_18_vector_t;
+  type signed_32_vector_1_to_2_t is array (1 to 2) of signed_32_vector_t;
+  constant zero_signed_32_vector_1_to_2 : signed_32_vector_1_to_2_t := (others => zero_signed_32_vector);
   type interval_u17_vector_t is array (0 to 2) of interval_u17_t;
   type interval_18_vector_t is array (0 to 2) of interval_18_t;
   constant zero_interval_18_vector : interval_18_vector_t := (others => zero_interval_18);

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
--- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.
+-- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or
+-- are elements of x_held.
 -- Latency: 58 clocks.
 --------------------------------------------------------------------------------
 library ieee;
@@ -33,8 +34,8 @@ architecture rtl of pair_pipeline is
   constant row_diagonal_at_0_2_table : std_logic_vector(0 to 15) := "01001001000" & "00000";
   constant row_x_select_at_0_table : numbers_t(0 to 15) := (0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0, others => 0);
   constant lane_input_select_at_10_table : numbers_t(0 to 15) := (2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, others => 0);
-  constant lane2_operand_select_tap_at_1_table : numbers_t(0 to 15) := (11, 12, 13, 14, 4, 2, 0, 7, 8, 9, 10, others => 0);
-  constant lane1_operand_select_tap_at_1_table : numbers_t(0 to 15) := (12, 13, 14, 15, 5, 3, 1, 8, 9, 10, 11, others => 0);
+  constant lane_operand_select_tap_at_1_2_table : numbers_t(0 to 15) := (11, 12, 13, 14, 4, 2, 0, 7, 8, 9, 10, others => 0);
+  constant lane_operand_select_tap_at_1_1_table : numbers_t(0 to 15) := (12, 13, 14, 15, 5, 3, 1, 8, 9, 10, 11, others => 0);
   constant lane_from_input_at_1_table : std_logic_vector(0 to 15) := "11110000111" & "00000";
   constant axis0_has_b2_at_2_table : std_logic_vector(0 to 15) := "01000000000" & "00000";
   constant lane_edge_rounding_at_5_table : std_logic_vector(0 to 15) := "00000101000" & "00000";
@@ -44,8 +45,8 @@ architecture rtl of pair_pipeline is
   constant axis_e_select_tap_at_10_table : numbers_t(0 to 15) := (4, 4, 7, 7, 7, 4, 11, 11, 11, 1, 4, others => 0);
   constant axis_f_select_tap_at_10_table : numbers_t(0 to 15) := (1, 2, 2, 3, 4, 6, 5, 6, 7, 3, 0, others => 0);
   constant axis0_v0_select_at_7_table : std_logic_vector(0 to 15) := "01000100010" & "00000";
-  constant axis0_v1_1_select_tap_at_7_table : numbers_t(0 to 15) := (10, 10, 12, 12, 14, 14, 0, 5, 7, 7, 8, others => 0);
-  constant axis0_v2_1_select_tap_at_7_table : numbers_t(0 to 15) := (5, 6, 10, 7, 8, 9, 0, 0, 1, 2, 4, others => 0);
+  constant axis0_v1_select_tap_at_7_1_table : numbers_t(0 to 15) := (10, 10, 12, 12, 14, 14, 0, 5, 7, 7, 8, others => 0);
+  constant axis0_v1_select_tap_at_7_2_table : numbers_t(0 to 15) := (5, 6, 10, 7, 8, 9, 0, 0, 1, 2, 4, others => 0);
   constant axis0_v3_select_at_7_table : std_logic_vector(0 to 15) := "00011100000" & "00000";
   constant axis0_has_a1_at_1_table : std_logic_vector(0 to 15) := "01111111111" & "00000";
   constant axis0_has_a2_at_1_table : std_logic_vector(0 to 15) := "00000001000" & "00000";
@@ -79,17 +80,15 @@ architecture rtl of pair_pipeline is
   signal in_v0_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
   signal in_v0_outside : std_logic_vector(2 downto 0);
   signal in_v0_inside_h9 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 268435456
-  signal in_v1_h11 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
-  signal in_v2_h11 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
+  signal in_v_h11 : signed_32_vector_1_to_2_t := zero_signed_32_vector_1_to_2;  -- s4.28; |.| <= 2147483648
   signal lane_input : signed_32_vector_t;  -- s4.28; |.| <= 2147483648
   signal lane_input_select_at_10 : unsigned(1 downto 0) := (others => '0');
   signal lane_input_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
-  signal lane0_input_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
-  signal lane0_input_outside : std_logic_vector(2 downto 0);
+  signal lane_input_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
+  signal lane_input_outside : std_logic_vector(2 downto 0);
   signal row_d1 : interval_32_t := zero_interval_32;  -- s4.28; |.| <= 1879048192
   signal row_d2 : interval_32_t := zero_interval_32;  -- s4.28; |.| <= 1879048192
-  signal lane2_operand_select_tap_at_1 : unsigned(3 downto 0) := (others => '0');
-  signal lane1_operand_select_tap_at_1 : unsigned(3 downto 0) := (others => '0');
+  signal lane_operand_select_tap_at_1 : unsigned_4_1_to_2_t := zero_unsigned_4_1_to_2;
   signal lane_operand : interval_32_vector_t;  -- s4.28; |.| <= 1879048192
   signal lane_from_input_at_1 : std_logic := '0';
   signal lane : interval_32_vector_t;  -- s4.28; |.| <= 1879048192
@@ -115,8 +114,8 @@ architecture rtl of pair_pipeline is
   signal v0_hi : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v0_lo : signed_18_vector_t;  -- s2.16; |.| <= 0
   signal v1 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v1_case : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal v0_case : unsigned_2_vector_t;
+  signal v1_case : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal w : interval_18_vector_x2_t := zero_interval_18_vector_x2;  -- s2.16; |.| <= 65536
   signal w_case : unsigned_2_vector_x2_t := zero_unsigned_2_vector_x2;
   signal lane_difference : interval_19_19_vector_t;  -- |.| <= 131072
@@ -133,8 +132,7 @@ architecture rtl of pair_pipeline is
   signal outside_so_far_before : std_logic := '0';
   signal outside_so_far : std_logic;
   signal outside_in_phases : std_logic := '0';
-  signal in_v0_outside_h11 : std_logic_vector(2 downto 0) := (others => '0');
-  signal in_v0_outside_h22 : std_logic_vector(2 downto 0) := (others => '0');
+  signal in_v0_outside_held : flag_x3_x2_t := zero_flag_x3_x2;  -- from clocks 12, 23 on
   signal outside_flags : unsigned(3 downto 0);
   signal outside_i : std_logic;  -- a number of the pair or its pose is outside its declared range
   signal axis_e_select_tap_at_10 : unsigned(3 downto 0) := (others => '0');
@@ -152,8 +150,8 @@ architecture rtl of pair_pipeline is
   signal axis_l : interval_18_vector_t;  -- |.| <= 131071
   signal axis_l_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 131071
   signal axis_l_case : unsigned_2_vector_t;
-  signal v1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
   signal v0_hi_h11 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
+  signal v1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
   signal v1_h16 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
   signal axis0_v : interval_18_vector_x4_t;  -- s2.16; |.| <= 65536
   signal axis0_v0_select_at_7 : std_logic := '0';
@@ -168,16 +166,13 @@ architecture rtl of pair_pipeline is
   signal p : interval_22_x4_t;  -- |.| <= 1572852
   type scaled_line_t is array (1 to 6) of interval_18_vector_t;
   signal scaled_line : scaled_line_t := (others => zero_interval_18_vector);  -- |.| <= 65536
-  signal axis0_v1_1_select_tap_at_7 : unsigned(3 downto 0) := (others => '0');
-  signal axis0_v2_1_select_tap_at_7 : unsigned(3 downto 0) := (others => '0');
+  signal axis0_v1_select_tap_at_7 : unsigned_4_1_to_2_t := zero_unsigned_4_1_to_2;
   type scaled_case_line_t is array (1 to 6) of unsigned_2_vector_t;
   signal scaled_case_line : scaled_case_line_t := (others => zero_unsigned_2_vector);
   signal scaled_d9 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
   signal scaled_case_d7 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w0_h10 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w0_case_h8 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w1_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal w_held : interval_18_vector_x2_t := zero_interval_18_vector_x2;  -- s2.16; |.| <= 65536; from clocks 40, 42 on
+  signal w_case_held : unsigned_2_vector_x2_t := zero_unsigned_2_vector_x2;  -- from clocks 40, 44 on
   signal p_d1 : interval_22_x4_t := zero_interval_22_x4;  -- |.| <= 1572852
   signal axis0_has_a1_at_1 : std_logic := '0';
   signal axis0_has_a2_at_1 : std_logic := '0';
@@ -193,8 +188,7 @@ architecture rtl of pair_pipeline is
   signal pierced_result_edges_below : flag_x3_x3_t := zero_flag_x3_x3;
   signal pierced_result_v_above : std_logic_vector(2 downto 0) := (others => '0');
   signal pierced_result_v_below : std_logic_vector(2 downto 0) := (others => '0');
-  signal outside_h11 : std_logic := '0';
-  signal outside_h22 : std_logic := '0';
+  signal outside_held : std_logic_vector(2 downto 0) := (others => '0');  -- from clocks 34, 45, 56 on
   signal outside_h23 : std_logic := '0';
   signal axis_outside_not : std_logic;
   signal axis_counts_separated : std_logic;
@@ -202,9 +196,7 @@ architecture rtl of pair_pipeline is
   signal separated_i : std_logic_vector(10 downto 0) := (others => '0');
   signal overlapping_i : std_logic_vector(10 downto 0) := (others => '0');
   signal pierced_result : std_logic;
-  signal pierced_not_h11 : std_logic := '0';
-  signal pierced_not_h22 : std_logic := '0';
-  signal pierced_not_h33 : std_logic := '0';
+  signal pierced_not_held : std_logic_vector(2 downto 0) := (others => '0');  -- from clocks 34, 45, 56 on
   signal pierced_not_h34 : std_logic := '0';
   signal pierced : std_logic;
   signal separate : std_logic;
@@ -214,10 +206,9 @@ architecture rtl of pair_pipeline is
   signal surely : std_logic;
   signal verdict_and_first_not_h1 : std_logic := '0';
   signal verdict_and_second_not_first_h1 : std_logic := '0';
-  signal outside_h33 : std_logic := '0';
   signal separated0_h11 : std_logic := '0';
   signal overlapping0_h11 : std_logic := '0';
-  signal holds0_or_in_phase_10 : std_logic;
+  signal busy_0 : std_logic;  -- set in the clock before a pair, and in clock 0 of one
   signal in_phase_8 : std_logic;
   signal busy_10 : std_logic := '0';  -- set in clocks 9 to 19 of a pair
   signal busy_12 : std_logic := '0';  -- set in clocks 11 to 21 of a pair
@@ -239,9 +230,12 @@ architecture rtl of pair_pipeline is
   signal lane_hi_operand_line_x : signed_32_vector_t;
   signal lane_hi_operand_line_tap : unsigned_4_vector_t;
   signal offset_unit_origin : signed_32_vector_t;
+  signal axis0_v_lo_line_x : signed_18_vector_1_to_2_t;
+  signal axis0_v_hi_line_x : signed_18_vector_1_to_2_t;
+  signal axis0_v_case_line_x : unsigned_2_vector_1_to_2_t;
   signal axis_separated_unit_has : flag_x2_x2_t;
 begin
-  -- Strobes, one per phase
+  -- Strobes, one per phase, and flags of pairs
   strobes : process (clk)
   begin
     if rising_edge(clk) then
@@ -256,7 +250,7 @@ begin
     v0_lo(i) <= to_signed(0, 18);
     v0_case(i) <= to_unsigned(0, 2);
   end generate v0_lo_each;
-  holds0_or_in_phase_10 <= holds(0) or in_phase_10;
+  busy_0 <= holds(0) or in_phase_10;
   in_phase_8 <= flag(known(phase) = 8);
   in_phase_0 <= flag(known(phase) = 0);
   in_phase_3 <= flag(known(phase) = 3);
@@ -333,8 +327,8 @@ begin
   lane_input_each : for i in 0 to 2 generate
     lane_input(i) <=
       in_v0_inside_h9(i) when known(lane_input_select_at_10) = 0 else
-      in_v1_h11(i) when known(lane_input_select_at_10) = 1 else
-      in_v2_h11(i);
+      in_v_h11(1)(i) when known(lane_input_select_at_10) = 1 else
+      in_v_h11(2)(i);
   end generate lane_input_each;
 
   -- Clock 11
@@ -348,20 +342,20 @@ begin
   lane_lo_operand_line_x(0) <= row_d2.lo;
   lane_lo_operand_line_x(1) <= row.lo;
   lane_lo_operand_line_x(2) <= row.lo;
-  lane_lo_operand_line_tap(0) <= lane2_operand_select_tap_at_1;
-  lane_lo_operand_line_tap(1) <= lane1_operand_select_tap_at_1;
-  lane_lo_operand_line_tap(2) <= lane2_operand_select_tap_at_1;
+  lane_lo_operand_line_tap(0) <= lane_operand_select_tap_at_1(2);
+  lane_lo_operand_line_tap(1) <= lane_operand_select_tap_at_1(1);
+  lane_lo_operand_line_tap(2) <= lane_operand_select_tap_at_1(2);
   lane_hi_operand_line_x(0) <= row_d2.hi;
   lane_hi_operand_line_x(1) <= row.hi;
   lane_hi_operand_line_x(2) <= row.hi;
-  lane_hi_operand_line_tap(0) <= lane2_operand_select_tap_at_1;
-  lane_hi_operand_line_tap(1) <= lane1_operand_select_tap_at_1;
-  lane_hi_operand_line_tap(2) <= lane2_operand_select_tap_at_1;
-  lane0_input_inside_unit : for k in 0 to 2 generate
+  lane_hi_operand_line_tap(0) <= lane_operand_select_tap_at_1(2);
+  lane_hi_operand_line_tap(1) <= lane_operand_select_tap_at_1(1);
+  lane_hi_operand_line_tap(2) <= lane_operand_select_tap_at_1(2);
+  lane_input_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_coordinate
-      port map (clk => clk, number => lane_input_d1(k), passed => lane0_input_inside(k),
-                outside => lane0_input_outside(k));
-  end generate lane0_input_inside_unit;
+      port map (clk => clk, number => lane_input_d1(k), passed => lane_input_inside(k),
+                outside => lane_input_outside(k));
+  end generate lane_input_inside_unit;
   lane_lo_operand_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_32
       port map (clk => clk, x => lane_lo_operand_line_x(i), tap => lane_lo_operand_line_tap(i),
@@ -375,10 +369,10 @@ begin
 
   -- Clock 12
   lane_lo_each : for i in 0 to 2 generate
-    lane(i).lo <= lane0_input_inside(i) when lane_from_input_at_1 = '1' else lane_operand(i).lo;
-    lane(i).hi <= lane0_input_inside(i) + 1 when lane_from_input_at_1 = '1' else lane_operand(i).hi;
+    lane(i).lo <= lane_input_inside(i) when lane_from_input_at_1 = '1' else lane_operand(i).lo;
+    lane(i).hi <= lane_input_inside(i) + 1 when lane_from_input_at_1 = '1' else lane_operand(i).hi;
   end generate lane_lo_each;
-  outside_found <= or_reduce((or_reduce(unsigned(lane0_input_outside)) and outside_found_word_and_second_select_at_1) &
+  outside_found <= or_reduce((or_reduce(unsigned(lane_input_outside)) and outside_found_word_and_second_select_at_1) &
       outside_found_word_and_first_line(10));
   outside_so_far <= outside_found or outside_so_far_before;
 
@@ -416,7 +410,7 @@ begin
   end generate shift_unit;
 
   -- Clock 23
-  outside_flags <= outside_in_phases & unsigned(in_v0_outside_h22);
+  outside_flags <= outside_in_phases & unsigned(in_v0_outside_held(1));
   outside_i <= or_reduce(outside_flags);
 
   -- Clock 24
@@ -501,33 +495,36 @@ begin
       axis_f_case_d1 <= axis_f_case;
     end if;
   end process clock_33;
+  axis0_v_lo_line_x_1_each : for i in 0 to 2 generate
+    axis0_v_lo_line_x(1)(i) <= scaled_line(6)(i).lo;
+    axis0_v_lo_line_x(2)(i) <= scaled_d9(i).lo;
+    axis0_v_hi_line_x(1)(i) <= scaled_line(6)(i).hi;
+    axis0_v_hi_line_x(2)(i) <= scaled_d9(i).hi;
+  end generate axis0_v_lo_line_x_1_each;
+  axis0_v_case_line_x(1) <= scaled_case_line(6);
+  axis0_v_case_line_x(2) <= scaled_case_d7;
   axis_exact_unit : entity work.cross_product
     port map (clk => clk, e => axis_e_d1, e_case => axis_e_case_d1, f => axis_f_d1, f_case => axis_f_case_d1,
               l => axis_exact);
-  axis0_v_lo1_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_line(6)(i).lo, tap => axis0_v1_1_select_tap_at_7, y => axis0_v(1)(i).lo);
-  end generate axis0_v_lo1_line;
-  axis0_v_lo2_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_d9(i).lo, tap => axis0_v2_1_select_tap_at_7, y => axis0_v(2)(i).lo);
-  end generate axis0_v_lo2_line;
-  axis0_v_hi1_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_line(6)(i).hi, tap => axis0_v1_1_select_tap_at_7, y => axis0_v(1)(i).hi);
-  end generate axis0_v_hi1_line;
-  axis0_v_hi2_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_18
-      port map (clk => clk, x => scaled_d9(i).hi, tap => axis0_v2_1_select_tap_at_7, y => axis0_v(2)(i).hi);
-  end generate axis0_v_hi2_line;
-  axis0_v1_case_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_u2
-      port map (clk => clk, x => scaled_case_line(6)(i), tap => axis0_v1_1_select_tap_at_7, y => axis0_v_case(1)(i));
-  end generate axis0_v1_case_line;
-  axis0_v2_case_line : for i in 0 to 2 generate
-    unit : entity work.tapped_line_u2
-      port map (clk => clk, x => scaled_case_d7(i), tap => axis0_v2_1_select_tap_at_7, y => axis0_v_case(2)(i));
-  end generate axis0_v2_case_line;
+  axis0_v_lo_line_of : for k in 1 to 2 generate
+    axis0_v_lo_line : for i in 0 to 2 generate
+      unit : entity work.tapped_line_18
+        port map (clk => clk, x => axis0_v_lo_line_x(k)(i), tap => axis0_v1_select_tap_at_7(k), y => axis0_v(k)(i).lo);
+    end generate axis0_v_lo_line;
+  end generate axis0_v_lo_line_of;
+  axis0_v_hi_line_of : for k in 1 to 2 generate
+    axis0_v_hi_line : for i in 0 to 2 generate
+      unit : entity work.tapped_line_18
+        port map (clk => clk, x => axis0_v_hi_line_x(k)(i), tap => axis0_v1_select_tap_at_7(k), y => axis0_v(k)(i).hi);
+    end generate axis0_v_hi_line;
+  end generate axis0_v_hi_line_of;
+  axis0_v_case_line_of : for k in 1 to 2 generate
+    axis0_v_case_line : for i in 0 to 2 generate
+      unit : entity work.tapped_line_u2
+        port map (clk => clk, x => axis0_v_case_line_x(k)(i), tap => axis0_v1_select_tap_at_7(k),
+                  y => axis0_v_case(k)(i));
+    end generate axis0_v_case_line;
+  end generate axis0_v_case_line_of;
 
   -- Clock 34
   clock_34 : process (clk)
@@ -559,9 +556,9 @@ begin
     axis0_v(0)(i).lo <= v1_h16(i).lo when axis0_v0_select_at_7 = '1' else v0_lo(i);
     axis0_v(0)(i).hi <= v1_h16(i).hi when axis0_v0_select_at_7 = '1' else v0_hi_h14(i);
   end generate axis0_v_0_lo_each;
-  axis0_v(3) <= w1_h11 when axis0_v3_select_at_7 = '1' else w0_h10;
+  axis0_v(3) <= w_held(1) when axis0_v3_select_at_7 = '1' else w_held(0);
   axis0_v_case(0) <= v1_case_h11 when axis0_v0_select_at_7 = '1' else v0_case;
-  axis0_v_case(3) <= w1_case_h11 when axis0_v3_select_at_7 = '1' else w0_case_h8;
+  axis0_v_case(3) <= w_case_held(1) when axis0_v3_select_at_7 = '1' else w_case_held(0);
   axis_l_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => axis_l_d1(i), number => axis_l_case(i));
@@ -620,7 +617,7 @@ begin
   selectors : process (clk)
   begin
     if rising_edge(clk) then
-      if holds0_or_in_phase_10 = '1' then
+      if busy_0 = '1' then
         row_t_pose_select_at_0 <= to_unsigned(row_t_pose_select_at_0_table(to_integer(known(phase))), 2);
         row_diagonal_at_0(0) <= row_diagonal_at_0_0_table(to_integer(known(phase)));
         row_diagonal_at_0(1) <= row_diagonal_at_0_1_table(to_integer(known(phase)));
@@ -631,8 +628,10 @@ begin
         lane_input_select_at_10 <= to_unsigned(lane_input_select_at_10_table(to_integer(known(phase))), 2);
       end if;
       if busy_12 = '1' then
-        lane2_operand_select_tap_at_1 <= to_unsigned(lane2_operand_select_tap_at_1_table(to_integer(known(phase))), 4);
-        lane1_operand_select_tap_at_1 <= to_unsigned(lane1_operand_select_tap_at_1_table(to_integer(known(phase))), 4);
+        lane_operand_select_tap_at_1(1) <= to_unsigned(lane_operand_select_tap_at_1_1_table(to_integer(known(phase))),
+            4);
+        lane_operand_select_tap_at_1(2) <= to_unsigned(lane_operand_select_tap_at_1_2_table(to_integer(known(phase))),
+            4);
         lane_from_input_at_1 <= lane_from_input_at_1_table(to_integer(known(phase)));
         outside_found_word_and_second_select_at_1 <=
             outside_found_word_and_second_select_at_1_table(to_integer(known(phase)));
@@ -657,8 +656,8 @@ begin
       if busy_40 = '1' then
         axis0_v0_select_at_7 <= axis0_v0_select_at_7_table(to_integer(known(phase)));
         axis0_v3_select_at_7 <= axis0_v3_select_at_7_table(to_integer(known(phase)));
-        axis0_v1_1_select_tap_at_7 <= to_unsigned(axis0_v1_1_select_tap_at_7_table(to_integer(known(phase))), 4);
-        axis0_v2_1_select_tap_at_7 <= to_unsigned(axis0_v2_1_select_tap_at_7_table(to_integer(known(phase))), 4);
+        axis0_v1_select_tap_at_7(1) <= to_unsigned(axis0_v1_select_tap_at_7_1_table(to_integer(known(phase))), 4);
+        axis0_v1_select_tap_at_7(2) <= to_unsigned(axis0_v1_select_tap_at_7_2_table(to_integer(known(phase))), 4);
       end if;
       if busy_45 = '1' then
         axis0_has_a1_at_1 <= axis0_has_a1_at_1_table(to_integer(known(phase)));
@@ -687,9 +686,10 @@ begin
         overlapping_i(1) <= axis_counts_overlapping;
       end if;
       if strobe(10) = '1' then
-        in_v1_h11 <= in_v(1);
-        in_v2_h11 <= in_v(2);
-        w1_case_h11 <= w_case(1);
+        for k in 1 to 2 loop
+          in_v_h11(k) <= in_v(k);
+        end loop;
+        w_case_held(1) <= w_case(1);
         pierced_result_edges_above(0)(2) <= axis0_above(1);
         pierced_result_edges_below(0)(2) <= axis0_below(1);
         separated_i(4) <= axis_counts_separated;
@@ -698,27 +698,23 @@ begin
       if strobe(0) = '1' then
         in_v0_inside_h11 <= in_v0_inside;
         outside_in_phases <= outside_so_far;
-        in_v0_outside_h11 <= in_v0_outside;
-        in_v0_outside_h22 <= in_v0_outside_h11;
+        in_v0_outside_held(0) <= in_v0_outside;
+        in_v0_outside_held(1) <= in_v0_outside_held(0);
         pierced_result_edges_above(1)(2) <= axis0_above(4);
         pierced_result_edges_below(1)(2) <= axis0_below(4);
-        outside_h11 <= outside_i;
-        outside_h22 <= outside_h11;
+        outside_held <= outside_held(1 downto 0) & outside_i;
         separated_i(7) <= axis_counts_separated;
         overlapping_i(7) <= axis_counts_overlapping;
-        pierced_not_h11 <= not outside_i;
-        pierced_not_h22 <= pierced_not_h11;
-        pierced_not_h33 <= pierced_not_h22;
-        outside_h33 <= outside_h22;
+        pierced_not_held <= pierced_not_held(1 downto 0) & not outside_i;
       end if;
       if strobe(1) = '1' then
         in_v0_inside_h12 <= in_v0_inside_h11;
         pierced_result_edges_above(2)(2) <= axis0_above(4);
         pierced_result_edges_below(2)(2) <= axis0_below(4);
-        outside_h23 <= outside_h22;
+        outside_h23 <= outside_held(1);
         separated_i(10) <= axis_counts_separated;
         overlapping_i(10) <= axis_counts_overlapping;
-        pierced_not_h34 <= pierced_not_h33;
+        pierced_not_h34 <= pierced_not_held(2);
       end if;
       if strobe(3) = '1' then
         for i in 0 to 2 loop
@@ -742,8 +738,8 @@ begin
         v1_case <= scaled_case;
         v0_hi_h14 <= v0_hi_h11;
         v1_case_h11 <= v1_case;
-        w0_h10 <= w(0);
-        w0_case_h8 <= w_case(0);
+        w_held(0) <= w(0);
+        w_case_held(0) <= w_case(0);
         pierced_result_edges_above(0)(1) <= axis0_above(1);
         pierced_result_edges_below(0)(1) <= axis0_below(1);
         separated_i(3) <= axis_counts_separated;
@@ -758,7 +754,7 @@ begin
         end if;
       end loop;
       if strobe(8) = '1' then
-        w1_h11 <= w(1);
+        w_held(1) <= w(1);
         pierced_result_edges_above(2)(1) <= axis0_above(4);
         pierced_result_edges_below(2)(1) <= axis0_below(4);
         separated_i(9) <= axis_counts_separated;
@@ -777,7 +773,7 @@ begin
         verdict_and_second_not_first_h1 <= not separate;
         separated0_h11 <= separated_i(0);
         overlapping0_h11 <= overlapping_i(0);
-        outside <= outside_h33;
+        outside <= outside_held(2);
       end if;
       if strobe(7) = '1' then
         pierced_result_edges_above(1)(1) <= axis0_above(4);
@@ -849,25 +845,11 @@ begin
 
   -- Outputs
   separated(0) <= separated0_h11;
-  separated(1) <= separated_i(1);
-  separated(2) <= separated_i(2);
-  separated(3) <= separated_i(3);
-  separated(4) <= separated_i(4);
-  separated(5) <= separated_i(5);
-  separated(6) <= separated_i(6);
-  separated(7) <= separated_i(7);
-  separated(8) <= separated_i(8);
-  separated(9) <= separated_i(9);
-  separated(10) <= separated_i(10);
+  separated_each : for k in 1 to 10 generate
+    separated(k) <= separated_i(k);
+  end generate separated_each;
   overlapping(0) <= overlapping0_h11;
-  overlapping(1) <= overlapping_i(1);
-  overlapping(2) <= overlapping_i(2);
-  overlapping(3) <= overlapping_i(3);
-  overlapping(4) <= overlapping_i(4);
-  overlapping(5) <= overlapping_i(5);
-  overlapping(6) <= overlapping_i(6);
-  overlapping(7) <= overlapping_i(7);
-  overlapping(8) <= overlapping_i(8);
-  overlapping(9) <= overlapping_i(9);
-  overlapping(10) <= overlapping_i(10);
+  overlapping_each : for k in 1 to 10 generate
+    overlapping(k) <= overlapping_i(k);
+  end generate overlapping_each;
 end architecture rtl;

@@ -33,7 +33,7 @@ architecture rtl of moment_component is
   signal cut_i : signed(19 downto 0);  -- |.| <= 524281
   signal cut_d1 : signed(19 downto 0) := (others => '0');  -- |.| <= 524281
 begin
-  -- Strobes, one per phase
+  -- Constants
   too_great_or_equal_first_constant <= to_signed(0, 3);
   too_great_or_equal_second_constant <= to_signed(-1, 3);
 

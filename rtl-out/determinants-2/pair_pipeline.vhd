@@ -2,7 +2,7 @@
 --------------------------------------------------------------------------------
 -- The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with
 -- bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is
--- named after what it is; later copies end in _h<clocks>.
+-- named after what it is; later copies end in _h<clocks>, or are elements of x_held.
 -- Latency: 35 clocks.
 --------------------------------------------------------------------------------
 library ieee;
@@ -32,18 +32,10 @@ architecture rtl of pair_pipeline is
   constant axis_level_1_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant axis_level_2_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant boxes_wrong_table : numbers_t(0 to 7) := (1, 1, 2, 3, 5, 9, 17, others => 0);
-  signal in_v0_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_v0_outside : std_logic_vector(2 downto 0);
-  signal in_v1_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_v1_outside : std_logic_vector(2 downto 0);
-  signal in_v2_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_v2_outside : std_logic_vector(2 downto 0);
-  signal in_w0_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_w0_outside : std_logic_vector(2 downto 0);
-  signal in_w1_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_w1_outside : std_logic_vector(2 downto 0);
-  signal in_w2_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_w2_outside : std_logic_vector(2 downto 0);
+  signal in_v_inside : signed_32_x3_x3_t;  -- |.| <= 268435456
+  signal in_v_outside : flag_x3_x3_t;
+  signal in_w_inside : signed_32_x3_x3_t;  -- |.| <= 268435456
+  signal in_w_outside : flag_x3_x3_t;
   signal difference_v1 : signed_33_vector_t;  -- |.| <= 536870912
   signal difference_v2 : signed_33_vector_t;  -- |.| <= 536870912
   signal in_phase_1 : std_logic;
@@ -53,94 +45,62 @@ architecture rtl of pair_pipeline is
   signal pose_t_inside : signed_32_x3_t;  -- |.| <= 1073741816
   signal pose_t_outside : std_logic_vector(2 downto 0);
   signal moved : signed_33_vector_t;  -- |.| <= 1342177272; t - V0, or - V0 with the bypass
-  signal pose_m0_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
-  signal pose_m0_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal pose_m0_outside : std_logic_vector(2 downto 0);
-  signal pose_m1_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
-  signal pose_m1_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal pose_m1_outside : std_logic_vector(2 downto 0);
-  signal pose_m2_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
-  signal pose_m2_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal pose_m2_outside : std_logic_vector(2 downto 0);
-  signal in_w1_inside_h2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal pose_m_inside_number_h1 : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m_inside : signed_32_x3_x3_t;  -- |.| <= 268435456
+  signal pose_m_outside : flag_x3_x3_t;
+  signal in_w_inside1_held : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- |.| <= 268435456; from clocks 3, 5, 7 on
   signal row_w : signed_32_vector_x4_t;  -- |.| <= 268435456
   signal row_m0_select_at_0 : std_logic := '0';
-  signal moved_h1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
-  signal moved_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
-  signal moved_h5 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
-  signal in_w0_inside_h2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w0_inside_h4 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w0_inside_h6 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w1_inside_h4 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w1_inside_h6 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal moved_held : signed_33_vector_x3_t := zero_signed_33_vector_x3;  -- |.| <= 1342177272; from clocks 3, 5, 7 on
+  signal in_w_inside0_held : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- |.| <= 268435456; from clocks 3, 5, 7 on
   signal row_same : signed_32_x4_t;  -- |.| <= 268435456
   signal row_m0_select_at_1 : std_logic := '0';
-  signal pose_m0_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal pose_m_inside_d1 : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- |.| <= 268435456
   signal row_w_d1 : signed_32_vector_x4_t := zero_signed_32_vector_x4;  -- |.| <= 268435456
   signal row_turned : signed_32_x5_t;  -- |.| <= 805306372
-  signal pose_bypass_h2 : std_logic := '0';
-  signal pose_bypass_h4 : std_logic := '0';
-  signal pose_bypass_h6 : std_logic := '0';
+  signal pose_bypass_held : std_logic_vector(2 downto 0) := (others => '0');  -- from clocks 2, 4, 6 on
   signal pose_bypass_h7 : std_logic := '0';
   signal row_choice_d1 : signed_32_x5_t := zero_signed_32_x5;  -- |.| <= 805306372
   signal moved_h5_d1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
   signal row : signed_34_x5_t;  -- |.| <= 2147483644
   signal difference : signed_34_x9_t := zero_signed_34_x9;  -- |.| <= 2147483644
-  signal pose_m1_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal pose_m2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal row_m3 : signed_32_vector_t;  -- |.| <= 268435456
-  signal in_w2_inside_h2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w_inside2_held : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- |.| <= 268435456; from clocks 3, 5, 7 on
   signal row_moved3 : signed(32 downto 0);  -- |.| <= 1342177272
-  signal in_w2_inside_h4 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w2_inside_h6 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal row_m3_d1 : signed_32_vector_t := zero_signed_32_vector;  -- |.| <= 268435456
   signal row_moved3_d1 : signed(32 downto 0) := (others => '0');  -- |.| <= 1342177272
-  signal in_w2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w_inside2_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal difference_w0 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w1 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w2 : signed_33_vector_t;  -- |.| <= 2147483644
   signal outside_flags : unsigned(29 downto 0);
   signal outside_i : std_logic;  -- a number of the pair or its pose is outside its declared range
-  signal difference_v1_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v1_h4 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v1_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v1_h8 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v1_held : signed_33_vector_x5_t := zero_signed_33_vector_x5;  -- |.| <= 536870912; from clocks 3, 5, ... 11 on
   signal difference_v1_h9 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v2_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v2_h4 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v2_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v2_h8 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_held : signed_33_vector_x5_t := zero_signed_33_vector_x5;  -- |.| <= 536870912; from clocks 3, 5, ... 11 on
   signal difference_v2_h9 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal shift : flag_x4_vector_t;
-  signal difference_v1_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_w1_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
   signal lane : signed_33_vector_x2_t;  -- |.| <= 2147483644
-  signal shift_h1 : flag_x4_vector_t := zero_flag_x4_vector;
+  signal shift_held : flag_x4_vector_x2_t := zero_flag_x4_vector_x2;  -- from clocks 13, 15 on
   signal lane_d1 : signed_33_vector_x2_t := zero_signed_33_vector_x2;  -- |.| <= 2147483644
   signal lane_shifted : signed_19_vector_x3_t;  -- |.| <= 262144
   signal coordinate_cut : signed_19_vector_x5_t := zero_signed_19_vector_x5;  -- |.| <= 262144
-  signal difference_v2_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_w2_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
-  signal difference_w2_x_h4 : signed(32 downto 0) := (others => '0');  -- |.| <= 2147483644
-  signal difference_w2_z_h4 : signed(32 downto 0) := (others => '0');  -- |.| <= 2147483644
+  signal difference_w2_x_held : signed_33_x2_t := zero_signed_33_x2;  -- |.| <= 2147483644; from clocks 11, 13 on
+  signal difference_w2_z_held : signed_33_x2_t := zero_signed_33_x2;  -- |.| <= 2147483644; from clocks 11, 13 on
+  signal difference_w2_y_h2 : signed(32 downto 0) := (others => '0');  -- |.| <= 2147483644
   signal difference_w0_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
   signal difference_w0_h2_d1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
   signal carried : std_logic_vector(2 downto 0);
-  signal coordinate_cut0_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
-  signal coordinate_cut1_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
-  signal coordinate_cut2_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
-  signal coordinate_cut0_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
-  signal coordinate_cut1_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut_held : signed_19_vector_x5_t := zero_signed_19_vector_x5;  -- |.| <= 262144; from clock 16 on
+  signal coordinate_cut_h3 : signed_19_vector_x2_t := zero_signed_19_vector_x2;  -- |.| <= 262144
   signal carried_h1 : std_logic_vector(2 downto 0) := (others => '0');
   signal carried_h2 : std_logic_vector(2 downto 0) := (others => '0');
   signal coordinate_v1 : signed_18_vector_t;  -- |.| <= 131071
   signal coordinate_v2 : signed_18_vector_t;  -- |.| <= 131071
   signal coordinate_w0 : signed_18_vector_t;  -- |.| <= 131071
-  signal coordinate_cut3_h1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
-  signal coordinate_cut4_h1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
   signal coordinate_w1 : signed_18_vector_t;  -- |.| <= 131071
   signal coordinate_w2 : signed_18_vector_t;  -- |.| <= 131071
-  signal shift_h3 : flag_x4_vector_t := zero_flag_x4_vector;
   signal taken_x : unsigned(4 downto 0);
   signal taken_x_h1 : unsigned(4 downto 0) := (others => '0');
   signal axis_level : unsigned_3_x3_t;
@@ -151,13 +111,10 @@ architecture rtl of pair_pipeline is
   signal axis_level0_resized_less_choice : unsigned(2 downto 0);
   signal level_less_resized_first_h1 : signed(3 downto 0) := (others => '0');  -- |.| <= 6
   signal level_less_resized_second_h1 : signed(3 downto 0) := (others => '0');  -- |.| <= 6
-  signal level_less_h2 : std_logic := '0';
-  signal level_less_h4 : std_logic := '0';
-  signal axis_level0_resized_less_choice_h2 : unsigned(2 downto 0) := (others => '0');
-  signal axis_level0_resized_less_choice_h4 : unsigned(2 downto 0) := (others => '0');
+  signal level_less_held : std_logic_vector(1 downto 0) := (others => '0');  -- from clocks 19, 21 on
+  signal axis_level0_resized_less_choice_held : unsigned_3_x2_t := zero_unsigned_3_x2;  -- from clocks 18, 20 on
   signal axis_level0_resized_less_choice_h5 : unsigned(2 downto 0) := (others => '0');
-  signal axis_level2_h2 : unsigned(2 downto 0) := (others => '0');
-  signal axis_level2_h4 : unsigned(2 downto 0) := (others => '0');
+  signal axis_level2_held : unsigned_3_x2_t := zero_unsigned_3_x2;  -- from clocks 18, 20 on
   signal axis_level2_h5 : unsigned(2 downto 0) := (others => '0');
   signal level : unsigned(2 downto 0);
   signal moment_plus : signed_18_x2_x6_t;  -- |.| <= 131071
@@ -165,7 +122,7 @@ architecture rtl of pair_pipeline is
   signal moment_plus_d1 : signed_18_x2_x6_t := zero_signed_18_x2_x6;  -- |.| <= 131071
   signal moment_minus_d1 : signed_18_x2_x6_t := zero_signed_18_x2_x6;  -- |.| <= 131071
   signal moment_lane_cut : signed_20_x6_t;  -- |.| <= 524281
-  signal moment_too_great : flag_x1_x6_t;
+  signal moment_too_great0 : std_logic_vector(5 downto 0);
   signal moment_cut : signed_20_x12_t := zero_signed_20_x12;  -- |.| <= 524281
   signal too_great_0_found : std_logic;
   signal too_great_0_found_d1 : std_logic := '0';
@@ -181,10 +138,7 @@ architecture rtl of pair_pipeline is
   signal moment_m2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal moment_m1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal moment_n : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
-  signal coordinate_w0_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w0_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w0_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w0_h8 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_held : signed_18_vector_x4_t := zero_signed_18_vector_x4;  -- |.| <= 131071; from clocks 18, 20, ... 24 on
   signal moment_m1_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal dot_m : signed_18_vector_t;  -- |.| <= 131072
   signal coordinate_w0_h8_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
@@ -193,43 +147,24 @@ architecture rtl of pair_pipeline is
   signal dot_lane : signed_38_x5_t;  -- |.| <= 51539214336
   signal determinant_plane_a0 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
   signal determinant_plane_b0 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal coordinate_v1_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_v1_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_v1_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_v2_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_v2_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_v2_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_v2_h8 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal dot_x1 : signed_18_vector_t;  -- |.| <= 131071
-  signal dot_x2 : signed_18_vector_t;  -- |.| <= 131071
-  signal dot_x3 : signed_18_vector_t;  -- |.| <= 131071
-  signal dot_x4 : signed_18_vector_t;  -- |.| <= 131071
-  signal dot_x1_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal dot_x2_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal dot_x3_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal dot_x4_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v1_held : signed_18_vector_x3_t := zero_signed_18_vector_x3;  -- |.| <= 131071; from clocks 19, 21, 23 on
+  signal coordinate_v2_held : signed_18_vector_x4_t := zero_signed_18_vector_x4;  -- |.| <= 131071; from clocks 19, 21, ... 25 on
+  signal dot_x : signed_18_vector_1_to_4_t;  -- |.| <= 131071
+  signal dot_x_d1 : signed_18_vector_1_to_4_t := zero_signed_18_vector_1_to_4;  -- |.| <= 131071
   signal moment_m0_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal dot_d1 : signed_38_x3_t := zero_signed_38_x3;  -- |.| <= 51539214336
   signal determinant_side20 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
   signal moment_m1_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal determinant_side21 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal dot_x3_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal dot_x4_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_x_d2 : signed_18_vector_3_to_4_t := zero_signed_18_vector_3_to_4;  -- |.| <= 131071
   signal moment_m2_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal determinant_side22 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal coordinate_w1_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w1_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w1_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w1_h8 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w2_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w2_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w2_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w2_h8 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w1_held : signed_18_vector_x4_t := zero_signed_18_vector_x4;  -- |.| <= 131071; from clocks 18, 20, ... 24 on
+  signal coordinate_w2_held : signed_18_vector_x4_t := zero_signed_18_vector_x4;  -- |.| <= 131071; from clocks 18, 20, ... 24 on
   signal moment_n_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal determinant_plane_a1 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
   signal determinant_plane_a2 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal dot_d1_0_h2 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal dot_d1_1_h2 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal dot_d1_h2 : signed_38_x2_t := zero_signed_38_x2;  -- |.| <= 51539214336
   signal compared : signed_41_x15_t;  -- |.| <= 206156857344
   signal determinant_side00 : signed(38 downto 0);  -- |.| <= 51539214336
   signal determinant_side01 : signed(38 downto 0);  -- |.| <= 51539214336
@@ -245,17 +180,13 @@ architecture rtl of pair_pipeline is
   signal e_b : signed_19_vector_x3_t;  -- |.| <= 262142
   signal coordinate_w2_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal norm_x0_resized_third_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
-  signal norm_x_x : signed_19_x4_t;  -- |.| <= 262142
-  signal norm_x_y : signed_19_x4_t;  -- |.| <= 262142
-  signal norm_x_z : signed_19_x4_t;  -- |.| <= 262142
-  signal norm_x0_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
-  signal norm_x1_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262142
+  signal norm_x : signed_19_vector_x4_t;  -- |.| <= 262142
+  signal norm_x_d1 : signed_19_vector_x2_t := zero_signed_19_vector_x2;  -- |.| <= 262142
   signal norm_x2_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262142
   signal norm_x3_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262142
   signal norm_lane : unsigned_21_x5_t;
   signal length_measure : unsigned_21_x9_t := zero_unsigned_21_x9;
-  signal norm_x3_resized_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
-  signal norm_x4_resized_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal norm_x_resized_h2 : signed_19_vector_3_to_4_t := zero_signed_19_vector_3_to_4;  -- |.| <= 131071
   signal norm_x4_resized_h2_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
   signal rest_of_level : unsigned(14 downto 0);
   signal rest_of_level_aligned : unsigned(15 downto 0);
@@ -264,16 +195,9 @@ architecture rtl of pair_pipeline is
   signal rest : unsigned(16 downto 0);  -- c(3); four times that is c(5)
   signal length_measure_h2 : unsigned_21_x9_t := zero_unsigned_21_x9;
   signal length_measure_h4 : unsigned_21_x9_t := zero_unsigned_21_x9;
-  signal length_measure0_h6 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure1_h6 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure2_h6 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure3_h6 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure8_h5 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure4_h5 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure5_h5 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure7_h5 : unsigned(20 downto 0) := (others => '0');
-  signal rest_h2 : unsigned(16 downto 0) := (others => '0');
-  signal rest_h4 : unsigned(16 downto 0) := (others => '0');
+  signal length_measure_held : unsigned_21_x6_t := zero_unsigned_21_x6;  -- from clock 27 on
+  signal length_measure_7_to_8_held : unsigned_21_7_to_8_t := zero_unsigned_21_7_to_8;  -- from clock 27 on
+  signal rest_held : unsigned_17_x2_t := zero_unsigned_17_x2;  -- from clocks 25, 27 on
   signal length_measure0_plane_a0 : unsigned(23 downto 0);
   signal bound_plane_a1_sum_first_result : unsigned(23 downto 0);
   signal bound_plane_a2_sum_first_result : unsigned(23 downto 0);
@@ -288,8 +212,7 @@ architecture rtl of pair_pipeline is
   signal places_d1 : std_logic := '0';
   signal places_d2 : std_logic := '0';
   signal length_times_g : unsigned_22_x5_t;
-  signal level_h2 : unsigned(2 downto 0) := (others => '0');
-  signal level_h4 : unsigned(2 downto 0) := (others => '0');
+  signal level_held : unsigned_3_x2_t := zero_unsigned_3_x2;  -- from clocks 23, 25 on
   signal length_times_g_d1 : unsigned_22_x5_t := zero_unsigned_22_x5;
   signal level_h4_d1 : unsigned(2 downto 0) := (others => '0');
   signal length_first : unsigned_29_x5_t;
@@ -363,69 +286,10 @@ architecture rtl of pair_pipeline is
   signal bound_side22_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
   signal bound_side22 : unsigned(30 downto 0);
   signal compared_bound : signed_31_x15_t;  -- |.| <= 67665506
-  signal compared0_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared1_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared3_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared12_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared13_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared_bound0_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound1_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound2_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound3_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 10231806
-  signal compared_bound6_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound7_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound12_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound13_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound14_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared0_sign0 : std_logic;
-  signal compared0_sign1 : std_logic;
-  signal compared1_sign0 : std_logic;
-  signal compared1_sign1 : std_logic;
-  signal compared2_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared4_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared5_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared6_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared7_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared8_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared9_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared10_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared11_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared14_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared2_sign0 : std_logic;
-  signal compared2_sign1 : std_logic;
-  signal compared3_sign0 : std_logic;
-  signal compared3_sign1 : std_logic;
-  signal compared_bound4_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
-  signal compared_bound5_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
-  signal compared_bound8_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound9_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal compared_bound10_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal compared_bound11_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal compared4_sign0 : std_logic;
-  signal compared4_sign1 : std_logic;
-  signal compared5_sign0 : std_logic;
-  signal compared5_sign1 : std_logic;
-  signal compared_bound6_h3 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound7_h3 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound8_h3 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared6_sign0 : std_logic;
-  signal compared6_sign1 : std_logic;
-  signal compared7_sign0 : std_logic;
-  signal compared7_sign1 : std_logic;
-  signal compared8_sign0 : std_logic;
-  signal compared8_sign1 : std_logic;
-  signal compared9_sign0 : std_logic;
-  signal compared9_sign1 : std_logic;
-  signal compared10_sign0 : std_logic;
-  signal compared10_sign1 : std_logic;
-  signal compared11_sign0 : std_logic;
-  signal compared11_sign1 : std_logic;
-  signal compared12_sign0 : std_logic;
-  signal compared12_sign1 : std_logic;
-  signal compared13_sign0 : std_logic;
-  signal compared13_sign1 : std_logic;
-  signal compared14_sign0 : std_logic;
-  signal compared14_sign1 : std_logic;
+  signal compared_held : signed_41_x15_t := zero_signed_41_x15;  -- |.| <= 206156857344; from clocks 31, 32, 33 on
+  signal compared_bound_held : signed_31_x15_t := zero_signed_31_x15;  -- |.| <= 67665506; from clocks 31, 32, 33 on
+  signal sign : flag_x2_x15_t;
+  signal compared_bound_h3 : signed_31_6_to_8_t := zero_signed_31_6_to_8;  -- |.| <= 16916376
   signal boxes_v : signed_18_x2_t;  -- |.| <= 131071
   signal boxes_w : signed_18_x3_t;  -- |.| <= 131071
   signal boxes_v_d1 : signed_18_x2_t := zero_signed_18_x2;  -- |.| <= 131071
@@ -439,300 +303,27 @@ architecture rtl of pair_pipeline is
   signal coordinate_w1_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
   signal coordinate_w2_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
   signal boxes_apart : std_logic;
-  signal compared3_sign0_h2 : std_logic := '0';
-  signal compared3_sign1_h2 : std_logic := '0';
-  signal compared4_sign0_h1 : std_logic := '0';
-  signal compared4_sign1_h1 : std_logic := '0';
-  signal compared6_sign0_h1 : std_logic := '0';
-  signal compared6_sign1_h1 : std_logic := '0';
-  signal compared7_sign0_h1 : std_logic := '0';
-  signal compared7_sign1_h1 : std_logic := '0';
-  signal compared8_sign0_h1 : std_logic := '0';
-  signal compared8_sign1_h1 : std_logic := '0';
-  signal separated3_result : std_logic;
-  signal separated4_result : std_logic;
-  signal separated5_result : std_logic;
-  signal separated6_result : std_logic;
-  signal separated7_result : std_logic;
-  signal separated8_result : std_logic;
-  signal overlapping3_result : std_logic;
-  signal overlapping4_result : std_logic;
-  signal overlapping5_result : std_logic;
-  signal overlapping6_result : std_logic;
-  signal overlapping7_result : std_logic;
-  signal overlapping8_result : std_logic;
-  signal compared5_sign0_h1 : std_logic := '0';
-  signal compared5_sign1_h1 : std_logic := '0';
-  signal compared9_sign0_h1 : std_logic := '0';
-  signal compared9_sign1_h1 : std_logic := '0';
-  signal compared10_sign0_h1 : std_logic := '0';
-  signal compared10_sign1_h1 : std_logic := '0';
-  signal compared11_sign0_h1 : std_logic := '0';
-  signal compared11_sign1_h1 : std_logic := '0';
-  signal compared12_sign0_h2 : std_logic := '0';
-  signal compared12_sign0_h3 : std_logic := '0';
-  signal compared12_sign1_h2 : std_logic := '0';
-  signal compared12_sign1_h3 : std_logic := '0';
-  signal compared13_sign0_h2 : std_logic := '0';
-  signal compared13_sign0_h3 : std_logic := '0';
-  signal compared13_sign1_h2 : std_logic := '0';
-  signal compared13_sign1_h3 : std_logic := '0';
-  signal compared14_sign0_h2 : std_logic := '0';
-  signal compared14_sign0_h3 : std_logic := '0';
-  signal compared14_sign1_h2 : std_logic := '0';
-  signal compared14_sign1_h3 : std_logic := '0';
-  signal compared0_sign0_h2 : std_logic := '0';
-  signal compared0_sign0_h3 : std_logic := '0';
-  signal compared0_sign1_h2 : std_logic := '0';
-  signal compared0_sign1_h3 : std_logic := '0';
-  signal compared1_sign0_h2 : std_logic := '0';
-  signal compared1_sign0_h3 : std_logic := '0';
-  signal compared1_sign1_h2 : std_logic := '0';
-  signal compared1_sign1_h3 : std_logic := '0';
-  signal compared2_sign0_h2 : std_logic := '0';
-  signal compared2_sign0_h3 : std_logic := '0';
-  signal compared2_sign1_h2 : std_logic := '0';
-  signal compared2_sign1_h3 : std_logic := '0';
-  signal overlapping0_constant : std_logic;
-  signal overlapping1_constant : std_logic;
-  signal overlapping2_constant : std_logic;
-  signal separated_not_h1 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h3 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h5 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h7 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h9 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h11 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h13 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h15 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h17 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h19 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h21 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h23 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated0_not_h24 : std_logic := '0';
+  signal sign_held : flag_x2_x15_t := zero_flag_x2_x15;  -- from clocks 33, 34 on
+  signal separated_result : std_logic_vector(8 downto 3);
+  signal overlapping_result : std_logic_vector(8 downto 3);
+  signal sign_h3 : flag_x2_x3_t := zero_flag_x2_x3;
+  signal sign_12_to_14_h3 : flag_x2_12_to_14_t := zero_flag_x2_12_to_14;
+  signal overlapping_constant : std_logic_vector(2 downto 0);
+  signal separated0_not_held : std_logic_vector(11 downto 0) := (others => '0');  -- from clocks 3, 5, ... 25 on
+  signal separated_not_held_2 : std_logic_vector(8 downto 0) := (others => '0');  -- from clocks 26, 32, 34 on
   signal separated_i : std_logic_vector(8 downto 0);
-  signal separated1_or_h1 : std_logic := '0';
-  signal separated2_or_h1 : std_logic := '0';
-  signal separated1_not_h25 : std_logic := '0';
-  signal separated2_not_h25 : std_logic := '0';
-  signal separated3_not_h25 : std_logic := '0';
-  signal separated4_not_h25 : std_logic := '0';
-  signal separated5_not_h25 : std_logic := '0';
-  signal separated6_not_h25 : std_logic := '0';
-  signal separated7_not_h25 : std_logic := '0';
-  signal separated8_not_h25 : std_logic := '0';
-  signal separated1_not_h27 : std_logic := '0';
-  signal separated2_not_h27 : std_logic := '0';
-  signal separated3_not_h27 : std_logic := '0';
-  signal separated4_not_h27 : std_logic := '0';
-  signal separated5_not_h27 : std_logic := '0';
-  signal separated6_not_h27 : std_logic := '0';
-  signal separated7_not_h27 : std_logic := '0';
-  signal separated8_not_h27 : std_logic := '0';
-  signal separated1_not_h29 : std_logic := '0';
-  signal separated2_not_h29 : std_logic := '0';
-  signal separated3_not_h29 : std_logic := '0';
-  signal separated4_not_h29 : std_logic := '0';
-  signal separated5_not_h29 : std_logic := '0';
-  signal separated6_not_h29 : std_logic := '0';
-  signal separated7_not_h29 : std_logic := '0';
-  signal separated8_not_h29 : std_logic := '0';
-  signal separated1_not_h30 : std_logic := '0';
-  signal separated2_not_h31 : std_logic := '0';
-  signal separated3_not_h31 : std_logic := '0';
-  signal separated4_not_h31 : std_logic := '0';
-  signal separated5_not_h31 : std_logic := '0';
-  signal separated6_not_h31 : std_logic := '0';
-  signal separated7_not_h31 : std_logic := '0';
-  signal separated8_not_h31 : std_logic := '0';
-  signal separated2_not_h32 : std_logic := '0';
-  signal separated3_not_h32 : std_logic := '0';
-  signal separated4_not_h32 : std_logic := '0';
-  signal separated5_not_h32 : std_logic := '0';
-  signal separated6_not_h32 : std_logic := '0';
-  signal separated7_not_h32 : std_logic := '0';
-  signal separated8_not_h32 : std_logic := '0';
+  signal separated_or_h1 : std_logic_vector(2 downto 1) := (others => '0');
+  signal separated1_not_held : std_logic_vector(14 downto 0) := (others => '0');  -- from clocks 3, 5, ... 31 on
+  signal separated_not_held : flag_2_to_8_x16_t := zero_flag_2_to_8_x16;  -- from clocks 3, 5, ... 33 on
   signal overlapping_i : std_logic_vector(8 downto 0);
-  signal overlapping3_not_h1 : std_logic := '0';
-  signal overlapping4_not_h1 : std_logic := '0';
-  signal overlapping5_not_h1 : std_logic := '0';
-  signal overlapping6_not_h1 : std_logic := '0';
-  signal overlapping7_not_h1 : std_logic := '0';
-  signal overlapping8_not_h1 : std_logic := '0';
-  signal overlapping3_not_h3 : std_logic := '0';
-  signal overlapping4_not_h3 : std_logic := '0';
-  signal overlapping5_not_h3 : std_logic := '0';
-  signal overlapping6_not_h3 : std_logic := '0';
-  signal overlapping7_not_h3 : std_logic := '0';
-  signal overlapping8_not_h3 : std_logic := '0';
-  signal overlapping3_not_h5 : std_logic := '0';
-  signal overlapping4_not_h5 : std_logic := '0';
-  signal overlapping5_not_h5 : std_logic := '0';
-  signal overlapping6_not_h5 : std_logic := '0';
-  signal overlapping7_not_h5 : std_logic := '0';
-  signal overlapping8_not_h5 : std_logic := '0';
-  signal overlapping3_not_h7 : std_logic := '0';
-  signal overlapping4_not_h7 : std_logic := '0';
-  signal overlapping5_not_h7 : std_logic := '0';
-  signal overlapping6_not_h7 : std_logic := '0';
-  signal overlapping7_not_h7 : std_logic := '0';
-  signal overlapping8_not_h7 : std_logic := '0';
-  signal overlapping3_not_h9 : std_logic := '0';
-  signal overlapping4_not_h9 : std_logic := '0';
-  signal overlapping5_not_h9 : std_logic := '0';
-  signal overlapping6_not_h9 : std_logic := '0';
-  signal overlapping7_not_h9 : std_logic := '0';
-  signal overlapping8_not_h9 : std_logic := '0';
-  signal overlapping3_not_h11 : std_logic := '0';
-  signal overlapping4_not_h11 : std_logic := '0';
-  signal overlapping5_not_h11 : std_logic := '0';
-  signal overlapping6_not_h11 : std_logic := '0';
-  signal overlapping7_not_h11 : std_logic := '0';
-  signal overlapping8_not_h11 : std_logic := '0';
-  signal overlapping3_not_h13 : std_logic := '0';
-  signal overlapping4_not_h13 : std_logic := '0';
-  signal overlapping5_not_h13 : std_logic := '0';
-  signal overlapping6_not_h13 : std_logic := '0';
-  signal overlapping7_not_h13 : std_logic := '0';
-  signal overlapping8_not_h13 : std_logic := '0';
-  signal overlapping3_not_h15 : std_logic := '0';
-  signal overlapping4_not_h15 : std_logic := '0';
-  signal overlapping5_not_h15 : std_logic := '0';
-  signal overlapping6_not_h15 : std_logic := '0';
-  signal overlapping7_not_h15 : std_logic := '0';
-  signal overlapping8_not_h15 : std_logic := '0';
-  signal overlapping3_not_h17 : std_logic := '0';
-  signal overlapping4_not_h17 : std_logic := '0';
-  signal overlapping5_not_h17 : std_logic := '0';
-  signal overlapping6_not_h17 : std_logic := '0';
-  signal overlapping7_not_h17 : std_logic := '0';
-  signal overlapping8_not_h17 : std_logic := '0';
-  signal overlapping3_not_h19 : std_logic := '0';
-  signal overlapping4_not_h19 : std_logic := '0';
-  signal overlapping5_not_h19 : std_logic := '0';
-  signal overlapping6_not_h19 : std_logic := '0';
-  signal overlapping7_not_h19 : std_logic := '0';
-  signal overlapping8_not_h19 : std_logic := '0';
-  signal overlapping3_not_h21 : std_logic := '0';
-  signal overlapping4_not_h21 : std_logic := '0';
-  signal overlapping5_not_h21 : std_logic := '0';
-  signal overlapping6_not_h21 : std_logic := '0';
-  signal overlapping7_not_h21 : std_logic := '0';
-  signal overlapping8_not_h21 : std_logic := '0';
-  signal overlapping3_not_h23 : std_logic := '0';
-  signal overlapping4_not_h23 : std_logic := '0';
-  signal overlapping5_not_h23 : std_logic := '0';
-  signal overlapping6_not_h23 : std_logic := '0';
-  signal overlapping7_not_h23 : std_logic := '0';
-  signal overlapping8_not_h23 : std_logic := '0';
-  signal overlapping3_not_h25 : std_logic := '0';
-  signal overlapping4_not_h25 : std_logic := '0';
-  signal overlapping5_not_h25 : std_logic := '0';
-  signal overlapping6_not_h25 : std_logic := '0';
-  signal overlapping7_not_h25 : std_logic := '0';
-  signal overlapping8_not_h25 : std_logic := '0';
-  signal overlapping3_not_h27 : std_logic := '0';
-  signal overlapping4_not_h27 : std_logic := '0';
-  signal overlapping5_not_h27 : std_logic := '0';
-  signal overlapping6_not_h27 : std_logic := '0';
-  signal overlapping7_not_h27 : std_logic := '0';
-  signal overlapping8_not_h27 : std_logic := '0';
-  signal overlapping3_not_h29 : std_logic := '0';
-  signal overlapping4_not_h29 : std_logic := '0';
-  signal overlapping5_not_h29 : std_logic := '0';
-  signal overlapping6_not_h29 : std_logic := '0';
-  signal overlapping7_not_h29 : std_logic := '0';
-  signal overlapping8_not_h29 : std_logic := '0';
-  signal overlapping3_not_h31 : std_logic := '0';
-  signal overlapping4_not_h31 : std_logic := '0';
-  signal overlapping5_not_h31 : std_logic := '0';
-  signal overlapping6_not_h31 : std_logic := '0';
-  signal overlapping7_not_h31 : std_logic := '0';
-  signal overlapping8_not_h31 : std_logic := '0';
-  signal overlapping3_not_h32 : std_logic := '0';
-  signal overlapping4_not_h32 : std_logic := '0';
-  signal overlapping5_not_h32 : std_logic := '0';
-  signal overlapping6_not_h32 : std_logic := '0';
-  signal overlapping7_not_h32 : std_logic := '0';
-  signal overlapping8_not_h32 : std_logic := '0';
-  signal separated0_h1 : std_logic := '0';
-  signal separated2_h1 : std_logic := '0';
-  signal separated3_h1 : std_logic := '0';
-  signal separated4_h1 : std_logic := '0';
-  signal separated5_h1 : std_logic := '0';
-  signal separated6_h1 : std_logic := '0';
-  signal separated7_h1 : std_logic := '0';
-  signal separated8_h1 : std_logic := '0';
-  signal separated0_h3 : std_logic := '0';
+  signal overlapping_not_held : flag_3_to_8_x16_t := zero_flag_3_to_8_x16;  -- from clocks 3, 5, ... 33 on
+  signal overlapping_not_h32 : std_logic_vector(8 downto 3) := (others => '0');
+  signal separated0_held : std_logic_vector(4 downto 0) := (others => '0');  -- from clocks 27, 29, ... 35 on
+  signal separated_held : std_logic_vector(8 downto 1) := (others => '0');  -- from clocks 34, 35 on
   signal separated1_h3 : std_logic := '0';
-  signal separated0_h5 : std_logic := '0';
-  signal separated0_h7 : std_logic := '0';
-  signal separated0_h9 : std_logic := '0';
-  signal separated1_h2 : std_logic := '0';
-  signal overlapping_h1 : std_logic_vector(8 downto 0) := (others => '0');
-  signal overlapping0_h3 : std_logic := '0';
-  signal overlapping1_h3 : std_logic := '0';
-  signal overlapping2_h3 : std_logic := '0';
-  signal overlapping0_h5 : std_logic := '0';
-  signal overlapping1_h5 : std_logic := '0';
-  signal overlapping2_h5 : std_logic := '0';
-  signal overlapping0_h7 : std_logic := '0';
-  signal overlapping1_h7 : std_logic := '0';
-  signal overlapping2_h7 : std_logic := '0';
-  signal overlapping0_h9 : std_logic := '0';
-  signal overlapping1_h9 : std_logic := '0';
-  signal overlapping2_h9 : std_logic := '0';
-  signal overlapping0_h11 : std_logic := '0';
-  signal overlapping1_h11 : std_logic := '0';
-  signal overlapping2_h11 : std_logic := '0';
-  signal overlapping0_h13 : std_logic := '0';
-  signal overlapping1_h13 : std_logic := '0';
-  signal overlapping2_h13 : std_logic := '0';
-  signal overlapping0_h15 : std_logic := '0';
-  signal overlapping1_h15 : std_logic := '0';
-  signal overlapping2_h15 : std_logic := '0';
-  signal overlapping0_h17 : std_logic := '0';
-  signal overlapping1_h17 : std_logic := '0';
-  signal overlapping2_h17 : std_logic := '0';
-  signal overlapping0_h19 : std_logic := '0';
-  signal overlapping1_h19 : std_logic := '0';
-  signal overlapping2_h19 : std_logic := '0';
-  signal overlapping0_h21 : std_logic := '0';
-  signal overlapping1_h21 : std_logic := '0';
-  signal overlapping2_h21 : std_logic := '0';
-  signal overlapping0_h23 : std_logic := '0';
-  signal overlapping1_h23 : std_logic := '0';
-  signal overlapping2_h23 : std_logic := '0';
-  signal overlapping0_h25 : std_logic := '0';
-  signal overlapping1_h25 : std_logic := '0';
-  signal overlapping2_h25 : std_logic := '0';
-  signal overlapping0_h27 : std_logic := '0';
-  signal overlapping1_h27 : std_logic := '0';
-  signal overlapping2_h27 : std_logic := '0';
-  signal overlapping0_h29 : std_logic := '0';
-  signal overlapping1_h29 : std_logic := '0';
-  signal overlapping2_h29 : std_logic := '0';
-  signal overlapping0_h31 : std_logic := '0';
-  signal overlapping1_h31 : std_logic := '0';
-  signal overlapping2_h31 : std_logic := '0';
-  signal overlapping0_h33 : std_logic := '0';
-  signal overlapping1_h33 : std_logic := '0';
-  signal overlapping2_h33 : std_logic := '0';
-  signal outside_h1 : std_logic := '0';
-  signal outside_h3 : std_logic := '0';
-  signal outside_h5 : std_logic := '0';
-  signal outside_h7 : std_logic := '0';
-  signal outside_h9 : std_logic := '0';
-  signal outside_h11 : std_logic := '0';
-  signal outside_h13 : std_logic := '0';
-  signal outside_h15 : std_logic := '0';
-  signal outside_h17 : std_logic := '0';
-  signal outside_h19 : std_logic := '0';
-  signal outside_h21 : std_logic := '0';
-  signal outside_h23 : std_logic := '0';
-  signal outside_h25 : std_logic := '0';
-  signal outside_h27 : std_logic := '0';
-  signal outside_h29 : std_logic := '0';
-  signal outside_h31 : std_logic := '0';
+  signal overlapping_held : flag_x3_x17_t := zero_flag_x3_x17;  -- from clocks 3, 5, ... 35 on
+  signal overlapping_h1 : std_logic_vector(8 downto 3) := (others => '0');
+  signal outside_held : std_logic_vector(15 downto 0) := (others => '0');  -- from clocks 3, 5, ... 33 on
   signal in_phase_0 : std_logic;
   signal busy_2 : std_logic := '0';  -- set in clocks 1 to 2 of a pair
   signal busy_12 : std_logic := '0';  -- set in clocks 11 to 12 of a pair
@@ -740,20 +331,13 @@ architecture rtl of pair_pipeline is
   signal busy_18 : std_logic := '0';  -- set in clocks 17 to 18 of a pair
   signal busy_22 : std_logic := '0';  -- set in clocks 21 to 22 of a pair
   signal busy_24 : std_logic := '0';  -- set in clocks 23 to 24 of a pair
-  signal busy_2_or_busy_12 : std_logic;
-  signal busy_2_or_busy_12_or_busy_16 : std_logic;
-  signal busy_2_or_busy_12_or_busy_16_or_busy_18 : std_logic;
-  signal busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22 : std_logic;
-  signal busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22_or_busy_24 : std_logic;
+  signal busy_2_to_24 : std_logic;  -- a pair comes to clock 2, 12, 16, 18, 22, 24 or is in it
   signal busy_7 : std_logic := '0';  -- set in clocks 6 to 7 of a pair
   signal busy_19 : std_logic := '0';  -- set in clocks 18 to 19 of a pair
   signal busy_21 : std_logic := '0';  -- set in clocks 20 to 21 of a pair
   signal busy_25 : std_logic := '0';  -- set in clocks 24 to 25 of a pair
   signal busy_27 : std_logic := '0';  -- set in clocks 26 to 27 of a pair
-  signal busy_7_or_busy_19 : std_logic;
-  signal busy_7_or_busy_19_or_busy_21 : std_logic;
-  signal busy_7_or_busy_19_or_busy_21_or_busy_25 : std_logic;
-  signal busy_7_or_busy_19_or_busy_21_or_busy_25_or_busy_27 : std_logic;
+  signal busy_7_to_27 : std_logic;  -- a pair comes to clock 7, 19, 21, 25, 27 or is in it
   signal busy_20 : std_logic := '0';  -- set in clocks 19 to 20 of a pair
   signal row_turned_unit_m : signed_32_vector_x5_t;
   signal row_turned_unit_w : signed_32_vector_x5_t;
@@ -775,39 +359,15 @@ architecture rtl of pair_pipeline is
   signal length_measure0_plane_a0_unit_plane_b : unsigned_27_x2_t;
   signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
   signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
-  signal compared0_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared1_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared2_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared3_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared4_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared5_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared6_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared7_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared8_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared9_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared10_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared11_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared12_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared13_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared14_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal sign_unit_bound : signed_31_x15_t;
   signal boxes_lane_unit_v : signed_18_x2_x2_t;
   signal boxes_lane_unit_w : signed_18_x3_x2_t;
-  signal separated3_result_unit_ends : flag_x2_x2_t;
-  signal separated3_result_unit_sides : flag_x2_x3_t;
-  signal separated4_result_unit_ends : flag_x2_x2_t;
-  signal separated4_result_unit_sides : flag_x2_x3_t;
-  signal separated5_result_unit_ends : flag_x2_x2_t;
-  signal separated5_result_unit_sides : flag_x2_x3_t;
-  signal separated6_result_unit_ends : flag_x2_x2_t;
-  signal separated6_result_unit_sides : flag_x2_x3_t;
-  signal separated7_result_unit_ends : flag_x2_x2_t;
-  signal separated7_result_unit_sides : flag_x2_x3_t;
-  signal separated8_result_unit_ends : flag_x2_x2_t;
-  signal separated8_result_unit_sides : flag_x2_x3_t;
+  signal separated_result_unit_ends : flag_x2_x2_3_to_8_t;
+  signal separated_result_unit_sides : flag_x2_x3_3_to_8_t;
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
 begin
-  -- Strobes, one per phase
+  -- Strobes, one per phase, and flags of pairs
   strobes : process (clk)
   begin
     if rising_edge(clk) then
@@ -819,117 +379,90 @@ begin
   in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or holds(4) or holds(5) or holds(6) or holds(7) or holds(8)
       or holds(9) or holds(10) or holds(11) or holds(12) or holds(13) or holds(14) or holds(15) or holds(16) or
       holds(17) or in_phase_1;
-  overlapping0_constant <= '0';
-  overlapping1_constant <= '0';
-  overlapping2_constant <= '0';
+  overlapping_constant_each : for k in 0 to 2 generate
+    overlapping_constant(k) <= '0';
+  end generate overlapping_constant_each;
   in_phase_0 <= flag(phase = '0');
-  busy_2_or_busy_12 <= busy_2 or busy_12;
-  busy_2_or_busy_12_or_busy_16 <= busy_2_or_busy_12 or busy_16;
-  busy_2_or_busy_12_or_busy_16_or_busy_18 <= busy_2_or_busy_12_or_busy_16 or busy_18;
-  busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22 <= busy_2_or_busy_12_or_busy_16_or_busy_18 or busy_22;
-  busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22_or_busy_24 <= busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22
-      or busy_24;
-  busy_7_or_busy_19 <= busy_7 or busy_19;
-  busy_7_or_busy_19_or_busy_21 <= busy_7_or_busy_19 or busy_21;
-  busy_7_or_busy_19_or_busy_21_or_busy_25 <= busy_7_or_busy_19_or_busy_21 or busy_25;
-  busy_7_or_busy_19_or_busy_21_or_busy_25_or_busy_27 <= busy_7_or_busy_19_or_busy_21_or_busy_25 or busy_27;
+  busy_2_to_24 <= busy_2 or busy_12 or busy_16 or busy_18 or busy_22 or busy_24;
+  busy_7_to_27 <= busy_7 or busy_19 or busy_21 or busy_25 or busy_27;
 
   -- Clock 0
-  in_v0_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_v(0)(k), passed => in_v0_inside(k), outside => in_v0_outside(k));
-  end generate in_v0_inside_unit;
-  in_v1_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_v(1)(k), passed => in_v1_inside(k), outside => in_v1_outside(k));
-  end generate in_v1_inside_unit;
-  in_v2_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_v(2)(k), passed => in_v2_inside(k), outside => in_v2_outside(k));
-  end generate in_v2_inside_unit;
-  in_w0_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_w(0)(k), passed => in_w0_inside(k), outside => in_w0_outside(k));
-  end generate in_w0_inside_unit;
-  in_w1_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_w(1)(k), passed => in_w1_inside(k), outside => in_w1_outside(k));
-  end generate in_w1_inside_unit;
-  in_w2_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_w(2)(k), passed => in_w2_inside(k), outside => in_w2_outside(k));
-  end generate in_w2_inside_unit;
+  in_v_inside_unit_of : for k in 0 to 2 generate
+    in_v_inside_unit : for m in 0 to 2 generate
+      unit : entity work.guard_coordinate
+        port map (clk => clk, number => in_v(k)(m), passed => in_v_inside(k)(m), outside => in_v_outside(k)(m));
+    end generate in_v_inside_unit;
+  end generate in_v_inside_unit_of;
+  in_w_inside_unit_of : for k in 0 to 2 generate
+    in_w_inside_unit : for m in 0 to 2 generate
+      unit : entity work.guard_coordinate
+        port map (clk => clk, number => in_w(k)(m), passed => in_w_inside(k)(m), outside => in_w_outside(k)(m));
+    end generate in_w_inside_unit;
+  end generate in_w_inside_unit_of;
 
   -- Clock 1
   difference_v1_each : for i in 0 to 2 generate
-    difference_v1(i) <= resize(in_v1_inside(i), 33) - resize(in_v0_inside(i), 33);
-    difference_v2(i) <= resize(in_v2_inside(i), 33) - resize(in_v0_inside(i), 33);
+    difference_v1(i) <= resize(in_v_inside(1)(i), 33) - resize(in_v_inside(0)(i), 33);
+    difference_v2(i) <= resize(in_v_inside(2)(i), 33) - resize(in_v_inside(0)(i), 33);
   end generate difference_v1_each;
   pose_t_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_translation
       port map (clk => clk, number => pose_t_inside_number_h1(k), passed => pose_t_inside(k),
                 outside => pose_t_outside(k));
   end generate pose_t_inside_unit;
-  pose_m0_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => pose_m0_inside_number_h1(k), passed => pose_m0_inside(k),
-                outside => pose_m0_outside(k));
-  end generate pose_m0_inside_unit;
-  pose_m1_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => pose_m1_inside_number_h1(k), passed => pose_m1_inside(k),
-                outside => pose_m1_outside(k));
-  end generate pose_m1_inside_unit;
-  pose_m2_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => pose_m2_inside_number_h1(k), passed => pose_m2_inside(k),
-                outside => pose_m2_outside(k));
-  end generate pose_m2_inside_unit;
+  pose_m_inside_unit_of : for k in 0 to 2 generate
+    pose_m_inside_unit : for m in 0 to 2 generate
+      unit : entity work.guard_coordinate
+        port map (clk => clk, number => pose_m_inside_number_h1(k)(m), passed => pose_m_inside(k)(m),
+                  outside => pose_m_outside(k)(m));
+    end generate pose_m_inside_unit;
+  end generate pose_m_inside_unit_of;
 
   -- Clock 2
   moved_each : for i in 0 to 2 generate
-    moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v0_inside(i), 33);
-    row_w(0)(i) <= in_w1_inside_h2(i) when row_m0_select_at_0 = '1' else in_w0_inside(i);
-    row_w(1)(i) <= in_w1_inside_h2(i) when row_m0_select_at_0 = '1' else in_w0_inside(i);
-    row_w(2)(i) <= in_w1_inside_h2(i) when row_m0_select_at_0 = '1' else in_w0_inside(i);
-    row_w(3)(i) <= in_w2_inside_h2(i) when row_m0_select_at_0 = '1' else in_w2_inside(i);
-    row_m3(i) <= pose_m1_inside(i) when row_m0_select_at_0 = '1' else pose_m0_inside(i);
+    moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v_inside(0)(i), 33);
   end generate moved_each;
-  outside_flags <= unsigned(pose_m2_outside) & unsigned(pose_m1_outside) & unsigned(pose_m0_outside) &
-      unsigned(pose_t_outside) & unsigned(in_w2_outside) & unsigned(in_w1_outside) & unsigned(in_w0_outside) &
-      unsigned(in_v2_outside) & unsigned(in_v1_outside) & unsigned(in_v0_outside);
+  row_w_each_of : for k in 0 to 2 generate
+    row_w_each : for i in 0 to 2 generate
+      row_w(k)(i) <= in_w_inside1_held(0)(i) when row_m0_select_at_0 = '1' else in_w_inside(0)(i);
+    end generate row_w_each;
+  end generate row_w_each_of;
+  row_w_3_each : for i in 0 to 2 generate
+    row_w(3)(i) <= in_w_inside2_held(0)(i) when row_m0_select_at_0 = '1' else in_w_inside(2)(i);
+    row_m3(i) <= pose_m_inside(1)(i) when row_m0_select_at_0 = '1' else pose_m_inside(0)(i);
+  end generate row_w_3_each;
+  outside_flags <= unsigned(pose_m_outside(2)) & unsigned(pose_m_outside(1)) & unsigned(pose_m_outside(0)) &
+      unsigned(pose_t_outside) & unsigned(in_w_outside(2)) & unsigned(in_w_outside(1)) & unsigned(in_w_outside(0)) &
+      unsigned(in_v_outside(2)) & unsigned(in_v_outside(1)) & unsigned(in_v_outside(0));
   outside_i <= or_reduce(outside_flags);
-  overlapping_i(0) <= overlapping0_constant and not outside_i;
-  overlapping_i(1) <= overlapping1_constant and not outside_i;
-  overlapping_i(2) <= overlapping2_constant and not outside_i;
+  overlapping_i(0) <= overlapping_constant(0) and not outside_i;
+  overlapping_i(1) <= overlapping_constant(1) and not outside_i;
+  overlapping_i(2) <= overlapping_constant(2) and not outside_i;
 
   -- Clock 3
   clock_3 : process (clk)
   begin
     if rising_edge(clk) then
-      pose_m0_inside_d1 <= pose_m0_inside;
+      pose_m_inside_d1 <= pose_m_inside;
       row_w_d1 <= row_w;
-      pose_m1_inside_d1 <= pose_m1_inside;
-      pose_m2_inside_d1 <= pose_m2_inside;
       row_m3_d1 <= row_m3;
-      in_w2_inside_d1 <= in_w2_inside;
+      in_w_inside2_d1 <= in_w_inside(2);
     end if;
   end process clock_3;
-  row_turned_unit_m_0_each : for i in 0 to 2 generate
-    row_turned_unit_m(0)(i) <= pose_m0_inside_d1(i);
-    row_turned_unit_m(1)(i) <= pose_m1_inside_d1(i);
-    row_turned_unit_m(2)(i) <= pose_m2_inside_d1(i);
-  end generate row_turned_unit_m_0_each;
+  row_turned_unit_m_each_of : for k in 0 to 2 generate
+    row_turned_unit_m_each : for i in 0 to 2 generate
+      row_turned_unit_m(k)(i) <= pose_m_inside_d1(k)(i);
+    end generate row_turned_unit_m_each;
+  end generate row_turned_unit_m_each_of;
   row_turned_unit_m(3) <= row_m3_d1;
   row_turned_unit_m_4_each : for i in 0 to 2 generate
-    row_turned_unit_m(4)(i) <= pose_m2_inside_d1(i);
+    row_turned_unit_m(4)(i) <= pose_m_inside_d1(2)(i);
   end generate row_turned_unit_m_4_each;
-  row_turned_unit_w(0) <= row_w_d1(0);
-  row_turned_unit_w(1) <= row_w_d1(1);
-  row_turned_unit_w(2) <= row_w_d1(2);
-  row_turned_unit_w(3) <= row_w_d1(3);
+  row_turned_unit_w_each : for k in 0 to 3 generate
+    row_turned_unit_w(k) <= row_w_d1(k);
+  end generate row_turned_unit_w_each;
   row_turned_unit_w_4_each : for i in 0 to 2 generate
-    row_turned_unit_w(4)(i) <= in_w2_inside_d1(i);
+    row_turned_unit_w(4)(i) <= in_w_inside2_d1(i);
   end generate row_turned_unit_w_4_each;
   row_turned_unit : for k in 0 to 4 generate
     unit : entity work.difference_row
@@ -937,22 +470,21 @@ begin
   end generate row_turned_unit;
 
   -- Clock 7
-  row_same(0) <= in_w1_inside_h6(0) when row_m0_select_at_1 = '1' else in_w0_inside_h6(0);
-  row_same(1) <= in_w1_inside_h6(1) when row_m0_select_at_1 = '1' else in_w0_inside_h6(1);
-  row_same(2) <= in_w1_inside_h6(2) when row_m0_select_at_1 = '1' else in_w0_inside_h6(2);
-  row_same(3) <= in_w2_inside_h6(1) when row_m0_select_at_1 = '1' else in_w2_inside_h6(0);
-  row_moved3 <= moved_h5(1) when row_m0_select_at_1 = '1' else moved_h5(0);
+  row_same(0) <= in_w_inside1_held(2)(0) when row_m0_select_at_1 = '1' else in_w_inside0_held(2)(0);
+  row_same(1) <= in_w_inside1_held(2)(1) when row_m0_select_at_1 = '1' else in_w_inside0_held(2)(1);
+  row_same(2) <= in_w_inside1_held(2)(2) when row_m0_select_at_1 = '1' else in_w_inside0_held(2)(2);
+  row_same(3) <= in_w_inside2_held(2)(1) when row_m0_select_at_1 = '1' else in_w_inside2_held(2)(0);
+  row_moved3 <= moved_held(2)(1) when row_m0_select_at_1 = '1' else moved_held(2)(0);
 
   -- Clock 8
   clock_8 : process (clk)
   begin
     if rising_edge(clk) then
-      row_choice_d1(0) <= choose(pose_bypass_h7, row_same(0), row_turned(0));
-      row_choice_d1(1) <= choose(pose_bypass_h7, row_same(1), row_turned(1));
-      row_choice_d1(2) <= choose(pose_bypass_h7, row_same(2), row_turned(2));
-      row_choice_d1(3) <= choose(pose_bypass_h7, row_same(3), row_turned(3));
-      row_choice_d1(4) <= choose(pose_bypass_h7, in_w2_inside_h6(2), row_turned(4));
-      moved_h5_d1 <= moved_h5;
+      for k in 0 to 3 loop
+        row_choice_d1(k) <= choose(pose_bypass_h7, row_same(k), row_turned(k));
+      end loop;
+      row_choice_d1(4) <= choose(pose_bypass_h7, in_w_inside2_held(2)(2), row_turned(4));
+      moved_h5_d1 <= moved_held(2);
       row_moved3_d1 <= row_moved3;
     end if;
   end process clock_8;
@@ -987,10 +519,10 @@ begin
   end generate shift_unit;
 
   -- Clock 12
-  lane(0) <= difference_w1_h2 when row_m0_select_at_0 = '1' else difference_v1_h10;
-  lane(1)(0) <= difference_w2_x_h4 when row_m0_select_at_0 = '1' else difference_v2_h10(0);
-  lane(1)(1) <= difference_w2_h2(1) when row_m0_select_at_0 = '1' else difference_v2_h10(1);
-  lane(1)(2) <= difference_w2_z_h4 when row_m0_select_at_0 = '1' else difference_v2_h10(2);
+  lane(0) <= difference_w1_h2 when row_m0_select_at_0 = '1' else difference_v1_held(4);
+  lane(1)(0) <= difference_w2_x_held(1) when row_m0_select_at_0 = '1' else difference_v2_held(4)(0);
+  lane(1)(1) <= difference_w2_y_h2 when row_m0_select_at_0 = '1' else difference_v2_held(4)(1);
+  lane(1)(2) <= difference_w2_z_held(1) when row_m0_select_at_0 = '1' else difference_v2_held(4)(2);
 
   -- Clock 13
   clock_13 : process (clk)
@@ -1005,13 +537,13 @@ begin
   lane_shifted_unit_x(2) <= difference_w0_h2_d1;
   lane_shifted_unit : for k in 0 to 2 generate
     unit : entity work.coordinate_scale
-      port map (x => lane_shifted_unit_x(k), shift => shift_h1, cut => lane_shifted(k));
+      port map (x => lane_shifted_unit_x(k), shift => shift_held(0), cut => lane_shifted(k));
   end generate lane_shifted_unit;
 
   -- Clock 15
-  taken_x <= carried(0) & unsigned(shift_h3(0));
-  taken_y <= carried(1) & unsigned(shift_h3(1));
-  taken_z <= carried(2) & unsigned(shift_h3(2));
+  taken_x <= carried(0) & unsigned(shift_held(1)(0));
+  taken_y <= carried(1) & unsigned(shift_held(1)(1));
+  taken_z <= carried(2) & unsigned(shift_held(1)(2));
   carried_unit_cut_each_of : for i in 0 to 2 generate
     carried_unit_cut_each : for k in 0 to 4 generate
       carried_unit_cut(i)(k) <= coordinate_cut(k)(i);
@@ -1028,36 +560,26 @@ begin
   axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(known(taken_z_h1))), 3);
   axis_level0_resized_less_choice <= axis_level(1) when
       less(signed(resize(axis_level(0), 4)), signed(resize(axis_level(1), 4))) = '1' else axis_level(0);
-  moment_plus(0)(0) <= coordinate_w2(1) when row_m0_select_at_0 = '1' else coordinate_w0(1);
-  moment_plus(0)(1) <= coordinate_w0(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
-  moment_plus(1)(0) <= coordinate_w2(2) when row_m0_select_at_0 = '1' else coordinate_w0(2);
-  moment_plus(1)(1) <= coordinate_w0(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
-  moment_plus(2)(0) <= coordinate_w2(0) when row_m0_select_at_0 = '1' else coordinate_w0(0);
-  moment_plus(2)(1) <= coordinate_w0(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
-  moment_plus(3)(0) <= coordinate_v1(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
-  moment_plus(3)(1) <= coordinate_v2(2) when row_m0_select_at_0 = '1' else coordinate_w2(2);
-  moment_plus(4)(0) <= coordinate_v1(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
-  moment_plus(4)(1) <= coordinate_v2(0) when row_m0_select_at_0 = '1' else coordinate_w2(0);
-  moment_plus(5)(0) <= coordinate_v1(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
-  moment_plus(5)(1) <= coordinate_v2(1) when row_m0_select_at_0 = '1' else coordinate_w2(1);
-  moment_minus(0)(0) <= coordinate_w2(2) when row_m0_select_at_0 = '1' else coordinate_w0(2);
-  moment_minus(0)(1) <= coordinate_w0(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
-  moment_minus(1)(0) <= coordinate_w2(0) when row_m0_select_at_0 = '1' else coordinate_w0(0);
-  moment_minus(1)(1) <= coordinate_w0(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
-  moment_minus(2)(0) <= coordinate_w2(1) when row_m0_select_at_0 = '1' else coordinate_w0(1);
-  moment_minus(2)(1) <= coordinate_w0(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
-  moment_minus(3)(0) <= coordinate_v1(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
-  moment_minus(3)(1) <= coordinate_v2(1) when row_m0_select_at_0 = '1' else coordinate_w2(1);
-  moment_minus(4)(0) <= coordinate_v1(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
-  moment_minus(4)(1) <= coordinate_v2(2) when row_m0_select_at_0 = '1' else coordinate_w2(2);
-  moment_minus(5)(0) <= coordinate_v1(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
-  moment_minus(5)(1) <= coordinate_v2(0) when row_m0_select_at_0 = '1' else coordinate_w2(0);
+  moment_plus_0_each : for k in 0 to 2 generate
+    moment_plus(k)(0) <= coordinate_w2((k + 1) mod 3) when row_m0_select_at_0 = '1' else coordinate_w0((k + 1) mod 3);
+    moment_plus(k)(1) <= coordinate_w0((k + 2) mod 3) when row_m0_select_at_0 = '1' else coordinate_w1((k + 2) mod 3);
+    moment_plus(k + 3)(0) <= coordinate_v1((k + 1) mod 3) when row_m0_select_at_0 = '1' else
+        coordinate_w1((k + 1) mod 3);
+    moment_plus(k + 3)(1) <= coordinate_v2((k + 2) mod 3) when row_m0_select_at_0 = '1' else
+        coordinate_w2((k + 2) mod 3);
+    moment_minus(k)(0) <= coordinate_w2((k + 2) mod 3) when row_m0_select_at_0 = '1' else coordinate_w0((k + 2) mod 3);
+    moment_minus(k)(1) <= coordinate_w0((k + 1) mod 3) when row_m0_select_at_0 = '1' else coordinate_w1((k + 1) mod 3);
+    moment_minus(k + 3)(0) <= coordinate_v1((k + 2) mod 3) when row_m0_select_at_0 = '1' else
+        coordinate_w1((k + 2) mod 3);
+    moment_minus(k + 3)(1) <= coordinate_v2((k + 1) mod 3) when row_m0_select_at_0 = '1' else
+        coordinate_w2((k + 1) mod 3);
+  end generate moment_plus_0_each;
   coordinate_w0_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut2_h2, carried => carried_h1, y => coordinate_w0);
+    port map (cut => coordinate_cut_held(2), carried => carried_h1, y => coordinate_w0);
   coordinate_w1_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut3_h1, carried => carried_h1, y => coordinate_w1);
+    port map (cut => coordinate_cut_held(3), carried => carried_h1, y => coordinate_w1);
   coordinate_w2_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut4_h1, carried => carried_h1, y => coordinate_w2);
+    port map (cut => coordinate_cut_held(4), carried => carried_h1, y => coordinate_w2);
 
   -- Clock 17
   clock_17 : process (clk)
@@ -1068,43 +590,32 @@ begin
     end if;
   end process clock_17;
   coordinate_v1_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut0_h3, carried => carried_h2, y => coordinate_v1);
+    port map (cut => coordinate_cut_h3(0), carried => carried_h2, y => coordinate_v1);
   coordinate_v2_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut1_h3, carried => carried_h2, y => coordinate_v2);
+    port map (cut => coordinate_cut_h3(1), carried => carried_h2, y => coordinate_v2);
   moment_lane_cut_unit : for k in 0 to 5 generate
     unit : entity work.moment_component
       port map (clk => clk, plus => moment_plus_d1(k), minus => moment_minus_d1(k), cut => moment_lane_cut(k),
-                too_great => moment_too_great(k)(0));
+                too_great => moment_too_great0(k));
   end generate moment_lane_cut_unit;
 
   -- Clock 18
   e_a1_each : for i in 0 to 2 generate
     e_a1(i) <= resize(coordinate_v2_h1(i), 19) - resize(coordinate_v1_h1(i), 19);
+    norm_x(0)(i) <= norm_x0_resized_third_h2(i) when row_m0_select_at_0 = '1' else resize(coordinate_v1(i), 19);
+    norm_x(1)(i) <= e_b(0)(i) when row_m0_select_at_0 = '1' else resize(coordinate_v2(i), 19);
   end generate e_a1_each;
-  norm_x_x(0) <= norm_x0_resized_third_h2(0) when row_m0_select_at_0 = '1' else resize(coordinate_v1(0), 19);
-  norm_x_x(1) <= e_b(0)(0) when row_m0_select_at_0 = '1' else resize(coordinate_v2(0), 19);
-  norm_x_x(3) <= e_b(2)(0) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(0);
-  norm_x_y(0) <= norm_x0_resized_third_h2(1) when row_m0_select_at_0 = '1' else resize(coordinate_v1(1), 19);
-  norm_x_y(1) <= e_b(0)(1) when row_m0_select_at_0 = '1' else resize(coordinate_v2(1), 19);
-  norm_x_y(3) <= e_b(2)(1) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(1);
-  norm_x_z(0) <= norm_x0_resized_third_h2(2) when row_m0_select_at_0 = '1' else resize(coordinate_v1(2), 19);
-  norm_x_z(1) <= e_b(0)(2) when row_m0_select_at_0 = '1' else resize(coordinate_v2(2), 19);
-  norm_x_z(3) <= e_b(2)(2) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(2);
+  norm_x(3) <= e_b(2) when row_m0_select_at_0 = '1' else norm_x_resized_h2(3);
 
   -- Clock 19
   clock_19 : process (clk)
   begin
     if rising_edge(clk) then
-      norm_x0_d1(0) <= norm_x_x(0);
-      norm_x0_d1(1) <= norm_x_y(0);
-      norm_x0_d1(2) <= norm_x_z(0);
-      norm_x1_d1(0) <= norm_x_x(1);
-      norm_x1_d1(1) <= norm_x_y(1);
-      norm_x1_d1(2) <= norm_x_z(1);
-      norm_x3_d1(0) <= norm_x_x(3);
-      norm_x3_d1(1) <= norm_x_y(3);
-      norm_x3_d1(2) <= norm_x_z(3);
-      norm_x4_resized_h2_d1 <= norm_x4_resized_h2;
+      for k in 0 to 1 loop
+        norm_x_d1(k) <= norm_x(k);
+      end loop;
+      norm_x3_d1 <= norm_x(3);
+      norm_x4_resized_h2_d1 <= norm_x_resized_h2(4);
     end if;
   end process clock_19;
   e_b_0_each : for i in 0 to 2 generate
@@ -1112,11 +623,9 @@ begin
     e_b(1)(i) <= resize(coordinate_w2_h3(i), 19) - resize(coordinate_w1_h3(i), 19);
     e_b(2)(i) <= resize(coordinate_w0_h3(i), 19) - resize(coordinate_w2_h3(i), 19);
   end generate e_b_0_each;
-  norm_x_x(2) <= e_b(1)(0) when row_m0_select_at_1 = '1' else e_a1(0);
-  norm_x_y(2) <= e_b(1)(1) when row_m0_select_at_1 = '1' else e_a1(1);
-  norm_x_z(2) <= e_b(1)(2) when row_m0_select_at_1 = '1' else e_a1(2);
-  norm_lane_unit_x(0) <= norm_x0_d1;
-  norm_lane_unit_x(1) <= norm_x1_d1;
+  norm_x(2) <= e_b(1) when row_m0_select_at_1 = '1' else e_a1;
+  norm_lane_unit_x(0) <= norm_x_d1(0);
+  norm_lane_unit_x(1) <= norm_x_d1(1);
   norm_lane_unit_x(2) <= norm_x2_d1;
   norm_lane_unit_x(3) <= norm_x3_d1;
   norm_lane_unit_x(4) <= norm_x4_resized_h2_d1;
@@ -1129,14 +638,10 @@ begin
   clock_20 : process (clk)
   begin
     if rising_edge(clk) then
-      norm_x2_d1(0) <= norm_x_x(2);
-      norm_x2_d1(1) <= norm_x_y(2);
-      norm_x2_d1(2) <= norm_x_z(2);
+      norm_x2_d1 <= norm_x(2);
     end if;
   end process clock_20;
-  too_great_0_found <= or_reduce(unsigned(moment_too_great(5)) & unsigned(moment_too_great(4)) &
-      unsigned(moment_too_great(3)) & unsigned(moment_too_great(2)) & unsigned(moment_too_great(1)) &
-      unsigned(moment_too_great(0)));
+  too_great_0_found <= or_reduce(unsigned(moment_too_great0));
 
   -- Clock 21
   clock_21 : process (clk)
@@ -1145,7 +650,7 @@ begin
       too_great_0_found_d1 <= too_great_0_found;
     end if;
   end process clock_21;
-  level <= axis_level2_h5 when level_less_h4 = '1' else axis_level0_resized_less_choice_h5;
+  level <= axis_level2_h5 when level_less_held(1) = '1' else axis_level0_resized_less_choice_h5;
   too_great_0_so_far <= too_great_0_found_d1 or too_great_0_so_far_before;
   rest_of_level <=
     to_unsigned(64, 15) when known(level) = 0 else
@@ -1156,11 +661,11 @@ begin
     to_unsigned(4096, 15) when known(level) = 5 else
     to_unsigned(16384, 15);
   rest_of_level_aligned <= append(rest_of_level, 1);
-  boxes_v(0) <= coordinate_v1_h4(2) when row_m0_select_at_1 = '1' else coordinate_v1_h4(0);
-  boxes_v(1) <= coordinate_v2_h4(2) when row_m0_select_at_1 = '1' else coordinate_v2_h4(0);
-  boxes_w(0) <= coordinate_w0_h6(2) when row_m0_select_at_1 = '1' else coordinate_w0_h4(0);
-  boxes_w(1) <= coordinate_w1_h6(2) when row_m0_select_at_1 = '1' else coordinate_w1_h4(0);
-  boxes_w(2) <= coordinate_w2_h6(2) when row_m0_select_at_1 = '1' else coordinate_w2_h4(0);
+  boxes_v(0) <= coordinate_v1_held(1)(2) when row_m0_select_at_1 = '1' else coordinate_v1_held(1)(0);
+  boxes_v(1) <= coordinate_v2_held(1)(2) when row_m0_select_at_1 = '1' else coordinate_v2_held(1)(0);
+  boxes_w(0) <= coordinate_w0_held(2)(2) when row_m0_select_at_1 = '1' else coordinate_w0_held(1)(0);
+  boxes_w(1) <= coordinate_w1_held(2)(2) when row_m0_select_at_1 = '1' else coordinate_w1_held(1)(0);
+  boxes_w(2) <= coordinate_w2_held(2)(2) when row_m0_select_at_1 = '1' else coordinate_w2_held(1)(0);
 
   -- Clock 22
   clock_22 : process (clk)
@@ -1169,11 +674,11 @@ begin
       boxes_v_d1 <= boxes_v;
       boxes_w_d1 <= boxes_w;
       boxes_wrong_d1 <= to_unsigned(boxes_wrong_table(to_integer(known(level))), 5);
-      coordinate_v1_y_h4_d1 <= coordinate_v1_h4(1);
-      coordinate_v2_y_h4_d1 <= coordinate_v2_h4(1);
-      coordinate_w0_y_h4_d1 <= coordinate_w0_h4(1);
-      coordinate_w1_y_h4_d1 <= coordinate_w1_h4(1);
-      coordinate_w2_y_h4_d1 <= coordinate_w2_h4(1);
+      coordinate_v1_y_h4_d1 <= coordinate_v1_held(1)(1);
+      coordinate_v2_y_h4_d1 <= coordinate_v2_held(1)(1);
+      coordinate_w0_y_h4_d1 <= coordinate_w0_held(1)(1);
+      coordinate_w1_y_h4_d1 <= coordinate_w1_held(1)(1);
+      coordinate_w2_y_h4_d1 <= coordinate_w2_held(1)(1);
     end if;
   end process clock_22;
   moment_exact_0_each : for i in 0 to 2 generate
@@ -1214,10 +719,10 @@ begin
       places_d1 <= places;
     end if;
   end process clock_24;
-  dot_x1 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
-  dot_x2 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
-  dot_x3 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
-  dot_x4 <= coordinate_w2_h8 when row_m0_select_at_0 = '1' else coordinate_w1_h8;
+  dot_x(1) <= coordinate_v2_held(3) when row_m0_select_at_0 = '1' else coordinate_v1_held(2);
+  dot_x(2) <= coordinate_v2_held(3) when row_m0_select_at_0 = '1' else coordinate_v1_held(2);
+  dot_x(3) <= coordinate_v2_held(3) when row_m0_select_at_0 = '1' else coordinate_v1_held(2);
+  dot_x(4) <= coordinate_w2_held(3) when row_m0_select_at_0 = '1' else coordinate_w1_held(3);
   moment_norm_x(0) <= moment_m2 when row_m0_select_at_0 = '1' else moment_m0;
   moment_norm_x(1) <= moment_n when row_m0_select_at_0 = '1' else moment_m1;
 
@@ -1225,11 +730,8 @@ begin
   clock_25 : process (clk)
   begin
     if rising_edge(clk) then
-      coordinate_w0_h8_d1 <= coordinate_w0_h8;
-      dot_x1_d1 <= dot_x1;
-      dot_x2_d1 <= dot_x2;
-      dot_x3_d1 <= dot_x3;
-      dot_x4_d1 <= dot_x4;
+      coordinate_w0_h8_d1 <= coordinate_w0_held(3);
+      dot_x_d1 <= dot_x;
       moment_m0_d1 <= moment_m0;
       moment_m1_d1 <= moment_m1;
       places_d2 <= places_d1;
@@ -1241,10 +743,9 @@ begin
   length_x(1) <= length_measure_h2(6) when row_m0_select_at_1 = '1' else length_measure_h4(1);
   length_x(2) <= length_measure_h4(7) when row_m0_select_at_1 = '1' else length_measure_h4(2);
   length_x(3) <= length_measure_h4(8) when row_m0_select_at_1 = '1' else length_measure_h4(3);
-  length_times_g(0) <= resize(length_x(0), 22) when places_d2 = '1' else append(length_x(0), 1);
-  length_times_g(1) <= resize(length_x(1), 22) when places_d2 = '1' else append(length_x(1), 1);
-  length_times_g(2) <= resize(length_x(2), 22) when places_d2 = '1' else append(length_x(2), 1);
-  length_times_g(3) <= resize(length_x(3), 22) when places_d2 = '1' else append(length_x(3), 1);
+  length_times_g_each : for k in 0 to 3 generate
+    length_times_g(k) <= resize(length_x(k), 22) when places_d2 = '1' else append(length_x(k), 1);
+  end generate length_times_g_each;
   length_times_g(4) <= resize(length_measure_h2(4), 22) when places_d2 = '1' else append(length_measure_h2(4), 1);
   moment_norm_lane_unit : for k in 0 to 1 generate
     unit : entity work.moment_norm
@@ -1257,21 +758,22 @@ begin
     if rising_edge(clk) then
       coordinate_w0_h8_d2 <= coordinate_w0_h8_d1;
       dot_m_d1 <= dot_m;
-      dot_x3_d2 <= dot_x3_d1;
-      dot_x4_d2 <= dot_x4_d1;
+      for k in 3 to 4 loop
+        dot_x_d2(k) <= dot_x_d1(k);
+      end loop;
       moment_m2_d1 <= moment_m2;
       moment_n_d1 <= moment_n;
       length_times_g_d1 <= length_times_g;
-      level_h4_d1 <= level_h4;
+      level_h4_d1 <= level_held(1);
     end if;
   end process clock_26;
   boxes_apart <= or_reduce(unsigned(boxes_apart_along));
-  separated_i(0) <= boxes_apart and separated0_not_h24;
+  separated_i(0) <= boxes_apart and separated_not_held_2(0);
   dot_lane_unit_x(0) <= coordinate_w0_h8_d2;
-  dot_lane_unit_x(1) <= dot_x1_d1;
-  dot_lane_unit_x(2) <= dot_x2_d1;
-  dot_lane_unit_x(3) <= dot_x3_d2;
-  dot_lane_unit_x(4) <= dot_x4_d2;
+  dot_lane_unit_x(1) <= dot_x_d1(1);
+  dot_lane_unit_x(2) <= dot_x_d1(2);
+  dot_lane_unit_x(3) <= dot_x_d2(3);
+  dot_lane_unit_x(4) <= dot_x_d2(4);
   dot_lane_unit_m(0) <= dot_m_d1;
   dot_lane_unit_m(1) <= moment_m0_d1;
   dot_lane_unit_m(2) <= moment_m1_d1;
@@ -1303,15 +805,14 @@ begin
       face_of_vertex(k)(m) <= length_bound(k) when face_of_vertex_negative_difference(k)(m)(29) = '1' else
           length_bound(m + 2);
     end generate face_of_vertex_negative_difference_each;
+    length_measure0_plane_a0_unit_v(k) <= length_measure_held(k);
   end generate moment_x_each;
-  length_measure0_plane_a0_unit_v(0) <= length_measure0_h6;
-  length_measure0_plane_a0_unit_v(1) <= length_measure1_h6;
-  length_measure0_plane_a0_unit_w(0) <= length_measure2_h6;
-  length_measure0_plane_a0_unit_w(1) <= length_measure3_h6;
-  length_measure0_plane_a0_unit_w(2) <= length_measure4_h5;
-  length_measure0_plane_a0_unit_b(0) <= length_measure5_h5;
+  length_measure0_plane_a0_unit_w_each : for k in 0 to 2 generate
+    length_measure0_plane_a0_unit_w(k) <= length_measure_held(k + 2);
+  end generate length_measure0_plane_a0_unit_w_each;
+  length_measure0_plane_a0_unit_b(0) <= length_measure_held(5);
   length_measure0_plane_a0_unit_b(1) <= length_measure_h4(6);
-  length_measure0_plane_a0_unit_b(2) <= length_measure7_h5;
+  length_measure0_plane_a0_unit_b(2) <= length_measure_7_to_8_held(7);
   length_measure0_plane_a0 <= length_measure0_plane_a0_unit_plane_a(0);
   bound_plane_a1_sum_first_result <= length_measure0_plane_a0_unit_plane_a(1);
   bound_plane_a2_sum_first_result <= length_measure0_plane_a0_unit_plane_a(2);
@@ -1323,8 +824,8 @@ begin
   bound_side11_result <= length_measure0_plane_a0_unit_middle(1);
   bound_side12_result <= length_measure0_plane_a0_unit_middle(2);
   length_measure0_plane_a0_unit : entity work.bound_tails
-    port map (clk => clk, v => length_measure0_plane_a0_unit_v, a => length_measure8_h5,
-              w => length_measure0_plane_a0_unit_w, b => length_measure0_plane_a0_unit_b, rest => rest_h4,
+    port map (clk => clk, v => length_measure0_plane_a0_unit_v, a => length_measure_7_to_8_held(8),
+              w => length_measure0_plane_a0_unit_w, b => length_measure0_plane_a0_unit_b, rest => rest_held(1),
               plane_a => length_measure0_plane_a0_unit_plane_a, plane_b => length_measure0_plane_a0_unit_plane_b,
               ends => length_measure0_plane_a0_unit_ends, middle => length_measure0_plane_a0_unit_middle);
 
@@ -1385,15 +886,15 @@ begin
   compared_unit_a(0) <= determinant_plane_a0;
   compared_unit_a(1) <= determinant_plane_a1;
   compared_unit_a(2) <= determinant_plane_a2;
-  compared_unit_d(0)(0) <= dot_d1_0_h2;
-  compared_unit_d(0)(1) <= dot_d1_1_h2;
+  compared_unit_d(0)(0) <= dot_d1_h2(0);
+  compared_unit_d(0)(1) <= dot_d1_h2(1);
   compared_unit_d(0)(2) <= dot_d1(2);
   compared_unit_d(1)(0) <= determinant_side20;
   compared_unit_d(1)(1) <= determinant_side21;
   compared_unit_d(1)(2) <= determinant_side22;
-  compared_each : for k in 0 to 1 generate
+  compared_from_4_each : for k in 0 to 1 generate
     compared(k + 4) <= compared_unit_plane_b(k);
-  end generate compared_each;
+  end generate compared_from_4_each;
   determinant_side00 <= compared_unit_side0(0);
   determinant_side01 <= compared_unit_side0(1);
   determinant_side02 <= compared_unit_side0(2);
@@ -1418,30 +919,19 @@ begin
   compared_bound(9) <= signed(resize(bound_side10(32 downto 3), 31));
   compared_bound(10) <= signed(resize(bound_side11(32 downto 3), 31));
   compared_bound(11) <= signed(resize(bound_side12(32 downto 3), 31));
-  compared0_sign0 <= compared0_sign0_unit_sign(0);
-  compared0_sign1 <= compared0_sign0_unit_sign(1);
-  compared1_sign0 <= compared1_sign0_unit_sign(0);
-  compared1_sign1 <= compared1_sign0_unit_sign(1);
-  compared2_sign0 <= compared2_sign0_unit_sign(0);
-  compared2_sign1 <= compared2_sign0_unit_sign(1);
-  compared12_sign0 <= compared12_sign0_unit_sign(0);
-  compared12_sign1 <= compared12_sign0_unit_sign(1);
-  compared13_sign0 <= compared13_sign0_unit_sign(0);
-  compared13_sign1 <= compared13_sign0_unit_sign(1);
-  compared14_sign0 <= compared14_sign0_unit_sign(0);
-  compared14_sign1 <= compared14_sign0_unit_sign(1);
-  compared0_sign0_unit : entity work.certain_sign
-    port map (x => compared0_h2, bound => compared_bound0_h1, sign => compared0_sign0_unit_sign);
-  compared1_sign0_unit : entity work.certain_sign
-    port map (x => compared1_h2, bound => compared_bound1_h1, sign => compared1_sign0_unit_sign);
-  compared2_sign0_unit : entity work.certain_sign
-    port map (x => compared2_h1, bound => compared_bound2_h1, sign => compared2_sign0_unit_sign);
-  compared12_sign0_unit : entity work.certain_sign
-    port map (x => compared12_h2, bound => compared_bound12_h1, sign => compared12_sign0_unit_sign);
-  compared13_sign0_unit : entity work.certain_sign
-    port map (x => compared13_h2, bound => compared_bound13_h1, sign => compared13_sign0_unit_sign);
-  compared14_sign0_unit : entity work.certain_sign
-    port map (x => compared14_h1, bound => compared_bound14_h1, sign => compared14_sign0_unit_sign);
+  sign_unit_bound_each : for k in 0 to 5 generate
+    sign_unit_bound(k) <= compared_bound_held(k);
+  end generate sign_unit_bound_each;
+  sign_unit_bound(6) <= compared_bound_h3(6);
+  sign_unit_bound(7) <= compared_bound_h3(7);
+  sign_unit_bound(8) <= compared_bound_h3(8);
+  sign_unit_bound_each_2 : for k in 9 to 14 generate
+    sign_unit_bound(k) <= compared_bound_held(k);
+  end generate sign_unit_bound_each_2;
+  sign_unit : for k in 0 to 14 generate
+    unit : entity work.certain_sign
+      port map (x => compared_held(k), bound => sign_unit_bound(k), sign => sign(k));
+  end generate sign_unit;
 
   -- Clock 32
   compared(6) <= resize(determinant_side00, 41);
@@ -1450,158 +940,53 @@ begin
   compared(9) <= resize(determinant_side10, 41);
   compared(10) <= resize(determinant_side11, 41);
   compared(11) <= resize(determinant_side12, 41);
-  separated_i(1) <= separated1_or_h1 and separated1_not_h30;
-  compared3_sign0 <= compared3_sign0_unit_sign(0);
-  compared3_sign1 <= compared3_sign0_unit_sign(1);
-  compared3_sign0_unit : entity work.certain_sign
-    port map (x => compared3_h2, bound => compared_bound3_h1, sign => compared3_sign0_unit_sign);
-
-  -- Clock 33
-  compared4_sign0 <= compared4_sign0_unit_sign(0);
-  compared4_sign1 <= compared4_sign0_unit_sign(1);
-  compared5_sign0 <= compared5_sign0_unit_sign(0);
-  compared5_sign1 <= compared5_sign0_unit_sign(1);
-  compared6_sign0 <= compared6_sign0_unit_sign(0);
-  compared6_sign1 <= compared6_sign0_unit_sign(1);
-  compared7_sign0 <= compared7_sign0_unit_sign(0);
-  compared7_sign1 <= compared7_sign0_unit_sign(1);
-  compared8_sign0 <= compared8_sign0_unit_sign(0);
-  compared8_sign1 <= compared8_sign0_unit_sign(1);
-  compared9_sign0 <= compared9_sign0_unit_sign(0);
-  compared9_sign1 <= compared9_sign0_unit_sign(1);
-  compared10_sign0 <= compared10_sign0_unit_sign(0);
-  compared10_sign1 <= compared10_sign0_unit_sign(1);
-  compared11_sign0 <= compared11_sign0_unit_sign(0);
-  compared11_sign1 <= compared11_sign0_unit_sign(1);
-  compared4_sign0_unit : entity work.certain_sign
-    port map (x => compared4_h1, bound => compared_bound4_h2, sign => compared4_sign0_unit_sign);
-  compared5_sign0_unit : entity work.certain_sign
-    port map (x => compared5_h1, bound => compared_bound5_h2, sign => compared5_sign0_unit_sign);
-  compared6_sign0_unit : entity work.certain_sign
-    port map (x => compared6_h1, bound => compared_bound6_h3, sign => compared6_sign0_unit_sign);
-  compared7_sign0_unit : entity work.certain_sign
-    port map (x => compared7_h1, bound => compared_bound7_h3, sign => compared7_sign0_unit_sign);
-  compared8_sign0_unit : entity work.certain_sign
-    port map (x => compared8_h1, bound => compared_bound8_h3, sign => compared8_sign0_unit_sign);
-  compared9_sign0_unit : entity work.certain_sign
-    port map (x => compared9_h1, bound => compared_bound9_h2, sign => compared9_sign0_unit_sign);
-  compared10_sign0_unit : entity work.certain_sign
-    port map (x => compared10_h1, bound => compared_bound10_h2, sign => compared10_sign0_unit_sign);
-  compared11_sign0_unit : entity work.certain_sign
-    port map (x => compared11_h1, bound => compared_bound11_h2, sign => compared11_sign0_unit_sign);
+  separated_i(1) <= separated_or_h1(1) and separated_not_held_2(1);
 
   -- Clock 34
-  separated_i(2) <= separated2_or_h1 and separated2_not_h32;
-  separated_i(3) <= separated3_result and separated3_not_h32;
-  separated_i(4) <= separated4_result and separated4_not_h32;
-  separated_i(5) <= separated5_result and separated5_not_h32;
-  separated_i(6) <= separated6_result and separated6_not_h32;
-  separated_i(7) <= separated7_result and separated7_not_h32;
-  separated_i(8) <= separated8_result and separated8_not_h32;
-  overlapping_i(3) <= overlapping3_result and overlapping3_not_h32;
-  overlapping_i(4) <= overlapping4_result and overlapping4_not_h32;
-  overlapping_i(5) <= overlapping5_result and overlapping5_not_h32;
-  overlapping_i(6) <= overlapping6_result and overlapping6_not_h32;
-  overlapping_i(7) <= overlapping7_result and overlapping7_not_h32;
-  overlapping_i(8) <= overlapping8_result and overlapping8_not_h32;
-  separated3_result_unit_ends(0)(0) <= compared3_sign0_h2;
-  separated3_result_unit_ends(0)(1) <= compared3_sign1_h2;
-  separated3_result_unit_ends(1)(0) <= compared4_sign0_h1;
-  separated3_result_unit_ends(1)(1) <= compared4_sign1_h1;
-  separated3_result_unit_sides(0)(0) <= compared6_sign0_h1;
-  separated3_result_unit_sides(0)(1) <= compared6_sign1_h1;
-  separated3_result_unit_sides(1)(0) <= compared7_sign0_h1;
-  separated3_result_unit_sides(1)(1) <= compared7_sign1_h1;
-  separated3_result_unit_sides(2)(0) <= compared8_sign0_h1;
-  separated3_result_unit_sides(2)(1) <= compared8_sign1_h1;
-  separated4_result_unit_ends(0)(0) <= compared4_sign0_h1;
-  separated4_result_unit_ends(0)(1) <= compared4_sign1_h1;
-  separated4_result_unit_ends(1)(0) <= compared5_sign0_h1;
-  separated4_result_unit_ends(1)(1) <= compared5_sign1_h1;
-  separated4_result_unit_sides(0)(0) <= compared9_sign0_h1;
-  separated4_result_unit_sides(0)(1) <= compared9_sign1_h1;
-  separated4_result_unit_sides(1)(0) <= compared10_sign0_h1;
-  separated4_result_unit_sides(1)(1) <= compared10_sign1_h1;
-  separated4_result_unit_sides(2)(0) <= compared11_sign0_h1;
-  separated4_result_unit_sides(2)(1) <= compared11_sign1_h1;
-  separated5_result_unit_ends(0)(0) <= compared5_sign0_h1;
-  separated5_result_unit_ends(0)(1) <= compared5_sign1_h1;
-  separated5_result_unit_ends(1)(0) <= compared3_sign0_h2;
-  separated5_result_unit_ends(1)(1) <= compared3_sign1_h2;
-  separated5_result_unit_sides(0)(0) <= compared12_sign0_h3;
-  separated5_result_unit_sides(0)(1) <= compared12_sign1_h3;
-  separated5_result_unit_sides(1)(0) <= compared13_sign0_h3;
-  separated5_result_unit_sides(1)(1) <= compared13_sign1_h3;
-  separated5_result_unit_sides(2)(0) <= compared14_sign0_h3;
-  separated5_result_unit_sides(2)(1) <= compared14_sign1_h3;
-  separated6_result_unit_ends(0)(0) <= compared0_sign0_h3;
-  separated6_result_unit_ends(0)(1) <= compared0_sign1_h3;
-  separated6_result_unit_ends(1)(0) <= compared1_sign0_h3;
-  separated6_result_unit_ends(1)(1) <= compared1_sign1_h3;
-  separated6_result_unit_sides(0)(0) <= compared6_sign0_h1;
-  separated6_result_unit_sides(0)(1) <= compared6_sign1_h1;
-  separated6_result_unit_sides(1)(0) <= compared9_sign0_h1;
-  separated6_result_unit_sides(1)(1) <= compared9_sign1_h1;
-  separated6_result_unit_sides(2)(0) <= compared12_sign0_h3;
-  separated6_result_unit_sides(2)(1) <= compared12_sign1_h3;
-  separated7_result_unit_ends(0)(0) <= compared1_sign0_h3;
-  separated7_result_unit_ends(0)(1) <= compared1_sign1_h3;
-  separated7_result_unit_ends(1)(0) <= compared2_sign0_h3;
-  separated7_result_unit_ends(1)(1) <= compared2_sign1_h3;
-  separated7_result_unit_sides(0)(0) <= compared7_sign0_h1;
-  separated7_result_unit_sides(0)(1) <= compared7_sign1_h1;
-  separated7_result_unit_sides(1)(0) <= compared10_sign0_h1;
-  separated7_result_unit_sides(1)(1) <= compared10_sign1_h1;
-  separated7_result_unit_sides(2)(0) <= compared13_sign0_h3;
-  separated7_result_unit_sides(2)(1) <= compared13_sign1_h3;
-  separated8_result_unit_ends(0)(0) <= compared2_sign0_h3;
-  separated8_result_unit_ends(0)(1) <= compared2_sign1_h3;
-  separated8_result_unit_ends(1)(0) <= compared0_sign0_h3;
-  separated8_result_unit_ends(1)(1) <= compared0_sign1_h3;
-  separated8_result_unit_sides(0)(0) <= compared8_sign0_h1;
-  separated8_result_unit_sides(0)(1) <= compared8_sign1_h1;
-  separated8_result_unit_sides(1)(0) <= compared11_sign0_h1;
-  separated8_result_unit_sides(1)(1) <= compared11_sign1_h1;
-  separated8_result_unit_sides(2)(0) <= compared14_sign0_h3;
-  separated8_result_unit_sides(2)(1) <= compared14_sign1_h3;
-  separated3_result_unit : entity work.edge_verdict
-    port map (ends => separated3_result_unit_ends, sides => separated3_result_unit_sides, missed => separated3_result,
-              pierces => overlapping3_result);
-  separated4_result_unit : entity work.edge_verdict
-    port map (ends => separated4_result_unit_ends, sides => separated4_result_unit_sides, missed => separated4_result,
-              pierces => overlapping4_result);
-  separated5_result_unit : entity work.edge_verdict
-    port map (ends => separated5_result_unit_ends, sides => separated5_result_unit_sides, missed => separated5_result,
-              pierces => overlapping5_result);
-  separated6_result_unit : entity work.edge_verdict
-    port map (ends => separated6_result_unit_ends, sides => separated6_result_unit_sides, missed => separated6_result,
-              pierces => overlapping6_result);
-  separated7_result_unit : entity work.edge_verdict
-    port map (ends => separated7_result_unit_ends, sides => separated7_result_unit_sides, missed => separated7_result,
-              pierces => overlapping7_result);
-  separated8_result_unit : entity work.edge_verdict
-    port map (ends => separated8_result_unit_ends, sides => separated8_result_unit_sides, missed => separated8_result,
-              pierces => overlapping8_result);
+  separated_i(2) <= separated_or_h1(2) and separated_not_held_2(2);
+  separated_i_each : for k in 3 to 8 generate
+    separated_i(k) <= separated_result(k) and separated_not_held_2(k);
+    overlapping_i(k) <= overlapping_result(k) and overlapping_not_h32(k);
+  end generate separated_i_each;
+  separated_result_unit_ends_3_each : for m in 0 to 1 generate
+    separated_result_unit_ends(3)(m) <= sign_held(m + 3);
+    separated_result_unit_ends(4)(m) <= sign_held(m + 4);
+  end generate separated_result_unit_ends_3_each;
+  separated_result_unit_ends(5)(0) <= sign_held(5);
+  separated_result_unit_ends(5)(1) <= sign_held(3);
+  separated_result_unit_ends_6_each : for m in 0 to 1 generate
+    separated_result_unit_ends(6)(m) <= sign_h3(m);
+    separated_result_unit_ends(7)(m) <= sign_h3(m + 1);
+    separated_result_unit_ends(8)(m) <= sign_h3((m + 2) mod 3);
+  end generate separated_result_unit_ends_6_each;
+  separated_result_unit_sides_3_each : for m in 0 to 2 generate
+    separated_result_unit_sides(3)(m) <= sign_held(m + 6);
+    separated_result_unit_sides(4)(m) <= sign_held(m + 9);
+    separated_result_unit_sides(5)(m) <= sign_12_to_14_h3(m + 12);
+  end generate separated_result_unit_sides_3_each;
+  separated_result_unit_sides_0_each : for k in 6 to 8 generate
+    separated_result_unit_sides(k)(0) <= sign_held(k);
+    separated_result_unit_sides(k)(1) <= sign_held(k + 3);
+    separated_result_unit_sides(k)(2) <= sign_12_to_14_h3(k + 6);
+  end generate separated_result_unit_sides_0_each;
+  separated_result_unit : for k in 3 to 8 generate
+    unit : entity work.edge_verdict
+      port map (ends => separated_result_unit_ends(k), sides => separated_result_unit_sides(k),
+                missed => separated_result(k), pierces => overlapping_result(k));
+  end generate separated_result_unit;
 
   -- Clock 35
-  verdict_unit_separated(0) <= separated0_h9;
+  verdict_unit_separated(0) <= separated0_held(4);
   verdict_unit_separated(1) <= separated1_h3;
-  verdict_unit_separated(2) <= separated2_h1;
-  verdict_unit_separated(3) <= separated3_h1;
-  verdict_unit_separated(4) <= separated4_h1;
-  verdict_unit_separated(5) <= separated5_h1;
-  verdict_unit_separated(6) <= separated6_h1;
-  verdict_unit_separated(7) <= separated7_h1;
-  verdict_unit_separated(8) <= separated8_h1;
-  verdict_unit_overlapping(0) <= overlapping0_h33;
-  verdict_unit_overlapping(1) <= overlapping1_h33;
-  verdict_unit_overlapping(2) <= overlapping2_h33;
-  verdict_unit_overlapping(3) <= overlapping_h1(3);
-  verdict_unit_overlapping(4) <= overlapping_h1(4);
-  verdict_unit_overlapping(5) <= overlapping_h1(5);
-  verdict_unit_overlapping(6) <= overlapping_h1(6);
-  verdict_unit_overlapping(7) <= overlapping_h1(7);
-  verdict_unit_overlapping(8) <= overlapping_h1(8);
+  verdict_unit_separated_each : for k in 2 to 8 generate
+    verdict_unit_separated(k) <= separated_held(k);
+  end generate verdict_unit_separated_each;
+  verdict_unit_overlapping(0) <= overlapping_held(16)(0);
+  verdict_unit_overlapping(1) <= overlapping_held(16)(1);
+  verdict_unit_overlapping(2) <= overlapping_held(16)(2);
+  verdict_unit_overlapping_each : for k in 3 to 8 generate
+    verdict_unit_overlapping(k) <= overlapping_h1(k);
+  end generate verdict_unit_overlapping_each;
   verdict_unit : entity work.pair_verdict
     port map (separated => verdict_unit_separated, overlapping => verdict_unit_overlapping, verdict => verdict);
 
@@ -1609,14 +994,14 @@ begin
   selectors : process (clk)
   begin
     if rising_edge(clk) then
-      if busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22_or_busy_24 = '1' then
+      if busy_2_to_24 = '1' then
         if phase = '1' then
           row_m0_select_at_0 <= '0';
         else
           row_m0_select_at_0 <= '1';
         end if;
       end if;
-      if busy_7_or_busy_19_or_busy_21_or_busy_25_or_busy_27 = '1' then
+      if busy_7_to_27 = '1' then
         if phase = '1' then
           row_m0_select_at_1 <= '1';
         else
@@ -1640,78 +1025,55 @@ begin
       if strobe(0) = '1' then
         for k in 0 to 2 loop
           pose_t_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_t(k));
-          pose_m0_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(k));
-          pose_m1_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(k));
-          pose_m2_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(k));
+          for m in 0 to 2 loop
+            pose_m_inside_number_h1(k)(m) <= choose(pose_bypass, to_signed(0, 32), pose_m(k)(m));
+          end loop;
         end loop;
-        in_w1_inside_h2 <= in_w1_inside;
-        moved_h1 <= moved;
-        moved_h3 <= moved_h1;
-        moved_h5 <= moved_h3;
-        in_w0_inside_h2 <= in_w0_inside;
-        in_w0_inside_h4 <= in_w0_inside_h2;
-        in_w0_inside_h6 <= in_w0_inside_h4;
-        in_w1_inside_h4 <= in_w1_inside_h2;
-        in_w1_inside_h6 <= in_w1_inside_h4;
-        pose_bypass_h7 <= pose_bypass_h6;
-        difference(0) <= row(0);
-        difference(1) <= row(1);
-        difference(2) <= row(2);
-        difference(3) <= row(3);
-        difference(4) <= row(4);
-        in_w2_inside_h2 <= in_w2_inside;
-        in_w2_inside_h4 <= in_w2_inside_h2;
-        in_w2_inside_h6 <= in_w2_inside_h4;
-        difference_v1_h2 <= difference_v1;
-        difference_v1_h4 <= difference_v1_h2;
-        difference_v1_h6 <= difference_v1_h4;
-        difference_v1_h8 <= difference_v1_h6;
-        difference_v2_h2 <= difference_v2;
-        difference_v2_h4 <= difference_v2_h2;
-        difference_v2_h6 <= difference_v2_h4;
-        difference_v2_h8 <= difference_v2_h6;
-        difference_v1_h10 <= difference_v1_h8;
-        shift_h1 <= shift;
+        in_w_inside1_held <= in_w_inside(1) & in_w_inside1_held(0 to 1);
+        moved_held <= moved & moved_held(0 to 1);
+        in_w_inside0_held <= in_w_inside(0) & in_w_inside0_held(0 to 1);
+        pose_bypass_h7 <= pose_bypass_held(2);
+        for k in 0 to 4 loop
+          difference(k) <= row(k);
+        end loop;
+        in_w_inside2_held <= in_w_inside(2) & in_w_inside2_held(0 to 1);
+        difference_v1_held <= difference_v1 & difference_v1_held(0 to 3);
+        difference_v2_held <= difference_v2 & difference_v2_held(0 to 3);
+        shift_held(0) <= shift;
+        shift_held(1) <= shift_held(0);
         coordinate_cut(3) <= lane_shifted(0);
         coordinate_cut(4) <= lane_shifted(1);
-        difference_v2_h10 <= difference_v2_h8;
-        difference_w2_x_h4 <= difference_w2_h2(0);
-        difference_w2_z_h4 <= difference_w2_h2(2);
+        difference_w2_x_held(0) <= difference_w2(0);
+        difference_w2_x_held(1) <= difference_w2_x_held(0);
+        difference_w2_z_held(0) <= difference_w2(2);
+        difference_w2_z_held(1) <= difference_w2_z_held(0);
         difference_w0_h2 <= difference_w0;
-        coordinate_cut0_h3 <= coordinate_cut0_h2;
-        coordinate_cut1_h3 <= coordinate_cut1_h2;
+        for k in 0 to 1 loop
+          coordinate_cut_h3(k) <= coordinate_cut_held(k);
+        end loop;
         carried_h2 <= carried_h1;
-        shift_h3 <= shift_h1;
         level_less_resized_first_h1 <= signed(resize(axis_level0_resized_less_choice, 4));
         level_less_resized_second_h1 <= signed(resize(axis_level(2), 4));
-        level_less_h2 <= less(level_less_resized_first_h1, level_less_resized_second_h1);
-        level_less_h4 <= level_less_h2;
-        axis_level0_resized_less_choice_h5 <= axis_level0_resized_less_choice_h4;
-        axis_level2_h5 <= axis_level2_h4;
-        moment_cut(0) <= moment_lane_cut(0);
-        moment_cut(1) <= moment_lane_cut(1);
-        moment_cut(2) <= moment_lane_cut(2);
-        moment_cut(3) <= moment_lane_cut(3);
-        moment_cut(4) <= moment_lane_cut(4);
-        moment_cut(5) <= moment_lane_cut(5);
+        level_less_held(0) <= less(level_less_resized_first_h1, level_less_resized_second_h1);
+        level_less_held(1) <= level_less_held(0);
+        axis_level0_resized_less_choice_h5 <= axis_level0_resized_less_choice_held(1);
+        axis_level2_h5 <= axis_level2_held(1);
+        for k in 0 to 5 loop
+          moment_cut(k) <= moment_lane_cut(k);
+        end loop;
         places_captured <= too_great_0_so_far;
         moment_m2 <= moment_lane(0);
         moment_n <= moment_lane(1);
         determinant_plane_a0 <= dot_lane(0);
-        coordinate_v1_h2 <= coordinate_v1;
-        coordinate_v1_h4 <= coordinate_v1_h2;
-        coordinate_v1_h6 <= coordinate_v1_h4;
-        coordinate_v2_h2 <= coordinate_v2;
-        coordinate_v2_h4 <= coordinate_v2_h2;
-        coordinate_v2_h6 <= coordinate_v2_h4;
-        coordinate_v2_h8 <= coordinate_v2_h6;
+        coordinate_v1_held <= coordinate_v1 & coordinate_v1_held(0 to 1);
+        coordinate_v2_held <= coordinate_v2 & coordinate_v2_held(0 to 2);
         dot_d1(2) <= dot_lane(3);
         determinant_side20 <= dot_lane(1);
         determinant_side21 <= dot_lane(2);
         determinant_plane_a1 <= dot_lane(4);
-        coordinate_w1_h3 <= coordinate_w1_h2;
-        coordinate_w0_h3 <= coordinate_w0_h2;
-        coordinate_w2_h3 <= coordinate_w2_h2;
+        coordinate_w1_h3 <= coordinate_w1_held(0);
+        coordinate_w0_h3 <= coordinate_w0_held(0);
+        coordinate_w2_h3 <= coordinate_w2_held(0);
         length_measure(0) <= norm_lane(0);
         length_measure(1) <= norm_lane(1);
         length_measure(2) <= norm_lane(3);
@@ -1719,33 +1081,27 @@ begin
         length_measure(6) <= norm_lane(2);
         rest_aligned_second_h2 <= append(rest_of_level_aligned, 1);
         rest_of_level_aligned_h2 <= rest_of_level_aligned;
-        length_measure_h2(0) <= length_measure(0);
-        length_measure_h2(1) <= length_measure(1);
-        length_measure_h2(2) <= length_measure(2);
-        length_measure_h2(3) <= length_measure(3);
+        for k in 0 to 3 loop
+          length_measure_h2(k) <= length_measure(k);
+        end loop;
         length_measure_h2(6) <= length_measure(6);
-        length_measure_h4(0) <= length_measure_h2(0);
-        length_measure_h4(1) <= length_measure_h2(1);
-        length_measure_h4(2) <= length_measure_h2(2);
-        length_measure_h4(3) <= length_measure_h2(3);
+        for k in 0 to 3 loop
+          length_measure_h4(k) <= length_measure_h2(k);
+        end loop;
         length_measure_h4(6) <= length_measure_h2(6);
-        length_measure0_h6 <= length_measure_h4(0);
-        length_measure1_h6 <= length_measure_h4(1);
-        length_measure2_h6 <= length_measure_h4(2);
-        length_measure3_h6 <= length_measure_h4(3);
-        length_measure8_h5 <= length_measure_h4(8);
-        length_measure4_h5 <= length_measure_h4(4);
-        length_measure5_h5 <= length_measure_h4(5);
-        length_measure7_h5 <= length_measure_h4(7);
-        rest_h2 <= rest;
-        rest_h4 <= rest_h2;
-        level_h2 <= level;
-        level_h4 <= level_h2;
-        length_bound(0) <= length_first(0);
-        length_bound(1) <= length_first(1);
-        length_bound(2) <= length_first(2);
-        length_bound(3) <= length_first(3);
-        length_bound(4) <= length_first(4);
+        for k in 0 to 5 loop
+          length_measure_held(k) <= length_measure_h4(k);
+        end loop;
+        for k in 7 to 8 loop
+          length_measure_7_to_8_held(k) <= length_measure_h4(k);
+        end loop;
+        rest_held(0) <= rest;
+        rest_held(1) <= rest_held(0);
+        level_held(0) <= level;
+        level_held(1) <= level_held(0);
+        for k in 0 to 4 loop
+          length_bound(k) <= length_first(k);
+        end loop;
         norm_of_moment(0) <= moment_norm_lane(0);
         norm_of_moment(1) <= moment_norm_lane(1);
         moment_bound(0) <= moment_first(0);
@@ -1765,326 +1121,95 @@ begin
         bound_side12_sum_h1 <= resize(resize(append(moment_bound(2), 1), 31) +
             resize(bound_side12_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
         bound_side12_result_h3 <= bound_side12_result_h2;
-        compared0_h2 <= compared(0);
-        compared1_h2 <= compared(1);
-        compared12_h2 <= compared(12);
-        compared13_h2 <= compared(13);
-        compared_bound0_h1 <= compared_bound(0);
-        compared_bound1_h1 <= compared_bound(1);
-        compared_bound2_h1 <= compared_bound(2);
-        compared_bound6_h1 <= compared_bound(6);
-        compared_bound7_h1 <= compared_bound(7);
-        compared_bound12_h1 <= compared_bound(12);
-        compared_bound13_h1 <= compared_bound(13);
-        compared_bound14_h1 <= compared_bound(14);
-        compared2_h1 <= compared(2);
-        compared4_h1 <= compared(4);
-        compared5_h1 <= compared(5);
-        compared6_h1 <= compared(6);
-        compared7_h1 <= compared(7);
-        compared8_h1 <= compared(8);
-        compared9_h1 <= compared(9);
-        compared10_h1 <= compared(10);
-        compared11_h1 <= compared(11);
-        compared14_h1 <= compared(14);
-        compared_bound4_h2 <= compared_bound(4);
-        compared_bound5_h2 <= compared_bound(5);
-        compared_bound9_h2 <= compared_bound(9);
-        compared_bound10_h2 <= compared_bound(10);
-        compared_bound11_h2 <= compared_bound(11);
-        compared_bound6_h3 <= compared_bound6_h1;
-        compared_bound7_h3 <= compared_bound7_h1;
-        compared_bound8_h3 <= compared_bound8_h2;
+        compared_held(0) <= compared(0);
+        compared_held(1) <= compared(1);
+        compared_held(2) <= compared(2);
+        for k in 4 to 14 loop
+          compared_held(k) <= compared(k);
+        end loop;
+        compared_bound_held(0) <= compared_bound(0);
+        compared_bound_held(1) <= compared_bound(1);
+        compared_bound_held(2) <= compared_bound(2);
+        for k in 4 to 7 loop
+          compared_bound_held(k) <= compared_bound(k);
+        end loop;
+        for k in 9 to 14 loop
+          compared_bound_held(k) <= compared_bound(k);
+        end loop;
+        for k in 6 to 8 loop
+          compared_bound_h3(k) <= compared_bound_held(k);
+        end loop;
         boxes_apart_along(0) <= boxes_lane(0);
         boxes_apart_along(1) <= boxes_lane(1);
-        compared12_sign0_h2 <= compared12_sign0;
-        compared12_sign1_h2 <= compared12_sign1;
-        compared13_sign0_h2 <= compared13_sign0;
-        compared13_sign1_h2 <= compared13_sign1;
-        compared14_sign0_h2 <= compared14_sign0;
-        compared14_sign1_h2 <= compared14_sign1;
-        compared0_sign0_h2 <= compared0_sign0;
-        compared0_sign1_h2 <= compared0_sign1;
-        compared1_sign0_h2 <= compared1_sign0;
-        compared1_sign1_h2 <= compared1_sign1;
-        compared2_sign0_h2 <= compared2_sign0;
-        compared2_sign1_h2 <= compared2_sign1;
-        for k in 0 to 8 loop
-          separated_not_h1(k) <= not outside_i;
+        sign_held(0) <= sign(0);
+        sign_held(1) <= sign(1);
+        sign_held(2) <= sign(2);
+        sign_held(12) <= sign(12);
+        sign_held(13) <= sign(13);
+        sign_held(14) <= sign(14);
+        separated0_not_held <= separated0_not_held(10 downto 0) & not outside_i;
+        separated1_not_held <= separated1_not_held(13 downto 0) & not outside_i;
+        for m in 2 to 8 loop
+          separated_not_held(0)(m) <= not outside_i;
         end loop;
-        separated_not_h3 <= separated_not_h1;
-        separated_not_h5 <= separated_not_h3;
-        separated_not_h7 <= separated_not_h5;
-        separated_not_h9 <= separated_not_h7;
-        separated_not_h11 <= separated_not_h9;
-        separated_not_h13 <= separated_not_h11;
-        separated_not_h15 <= separated_not_h13;
-        separated_not_h17 <= separated_not_h15;
-        separated_not_h19 <= separated_not_h17;
-        separated_not_h21 <= separated_not_h19;
-        separated_not_h23 <= separated_not_h21;
-        separated1_not_h25 <= separated_not_h23(1);
-        separated2_not_h25 <= separated_not_h23(2);
-        separated3_not_h25 <= separated_not_h23(3);
-        separated4_not_h25 <= separated_not_h23(4);
-        separated5_not_h25 <= separated_not_h23(5);
-        separated6_not_h25 <= separated_not_h23(6);
-        separated7_not_h25 <= separated_not_h23(7);
-        separated8_not_h25 <= separated_not_h23(8);
-        separated1_not_h27 <= separated1_not_h25;
-        separated2_not_h27 <= separated2_not_h25;
-        separated3_not_h27 <= separated3_not_h25;
-        separated4_not_h27 <= separated4_not_h25;
-        separated5_not_h27 <= separated5_not_h25;
-        separated6_not_h27 <= separated6_not_h25;
-        separated7_not_h27 <= separated7_not_h25;
-        separated8_not_h27 <= separated8_not_h25;
-        separated1_not_h29 <= separated1_not_h27;
-        separated2_not_h29 <= separated2_not_h27;
-        separated3_not_h29 <= separated3_not_h27;
-        separated4_not_h29 <= separated4_not_h27;
-        separated5_not_h29 <= separated5_not_h27;
-        separated6_not_h29 <= separated6_not_h27;
-        separated7_not_h29 <= separated7_not_h27;
-        separated8_not_h29 <= separated8_not_h27;
-        separated2_not_h31 <= separated2_not_h29;
-        separated3_not_h31 <= separated3_not_h29;
-        separated4_not_h31 <= separated4_not_h29;
-        separated5_not_h31 <= separated5_not_h29;
-        separated6_not_h31 <= separated6_not_h29;
-        separated7_not_h31 <= separated7_not_h29;
-        separated8_not_h31 <= separated8_not_h29;
-        overlapping3_not_h1 <= not outside_i;
-        overlapping4_not_h1 <= not outside_i;
-        overlapping5_not_h1 <= not outside_i;
-        overlapping6_not_h1 <= not outside_i;
-        overlapping7_not_h1 <= not outside_i;
-        overlapping8_not_h1 <= not outside_i;
-        overlapping3_not_h3 <= overlapping3_not_h1;
-        overlapping4_not_h3 <= overlapping4_not_h1;
-        overlapping5_not_h3 <= overlapping5_not_h1;
-        overlapping6_not_h3 <= overlapping6_not_h1;
-        overlapping7_not_h3 <= overlapping7_not_h1;
-        overlapping8_not_h3 <= overlapping8_not_h1;
-        overlapping3_not_h5 <= overlapping3_not_h3;
-        overlapping4_not_h5 <= overlapping4_not_h3;
-        overlapping5_not_h5 <= overlapping5_not_h3;
-        overlapping6_not_h5 <= overlapping6_not_h3;
-        overlapping7_not_h5 <= overlapping7_not_h3;
-        overlapping8_not_h5 <= overlapping8_not_h3;
-        overlapping3_not_h7 <= overlapping3_not_h5;
-        overlapping4_not_h7 <= overlapping4_not_h5;
-        overlapping5_not_h7 <= overlapping5_not_h5;
-        overlapping6_not_h7 <= overlapping6_not_h5;
-        overlapping7_not_h7 <= overlapping7_not_h5;
-        overlapping8_not_h7 <= overlapping8_not_h5;
-        overlapping3_not_h9 <= overlapping3_not_h7;
-        overlapping4_not_h9 <= overlapping4_not_h7;
-        overlapping5_not_h9 <= overlapping5_not_h7;
-        overlapping6_not_h9 <= overlapping6_not_h7;
-        overlapping7_not_h9 <= overlapping7_not_h7;
-        overlapping8_not_h9 <= overlapping8_not_h7;
-        overlapping3_not_h11 <= overlapping3_not_h9;
-        overlapping4_not_h11 <= overlapping4_not_h9;
-        overlapping5_not_h11 <= overlapping5_not_h9;
-        overlapping6_not_h11 <= overlapping6_not_h9;
-        overlapping7_not_h11 <= overlapping7_not_h9;
-        overlapping8_not_h11 <= overlapping8_not_h9;
-        overlapping3_not_h13 <= overlapping3_not_h11;
-        overlapping4_not_h13 <= overlapping4_not_h11;
-        overlapping5_not_h13 <= overlapping5_not_h11;
-        overlapping6_not_h13 <= overlapping6_not_h11;
-        overlapping7_not_h13 <= overlapping7_not_h11;
-        overlapping8_not_h13 <= overlapping8_not_h11;
-        overlapping3_not_h15 <= overlapping3_not_h13;
-        overlapping4_not_h15 <= overlapping4_not_h13;
-        overlapping5_not_h15 <= overlapping5_not_h13;
-        overlapping6_not_h15 <= overlapping6_not_h13;
-        overlapping7_not_h15 <= overlapping7_not_h13;
-        overlapping8_not_h15 <= overlapping8_not_h13;
-        overlapping3_not_h17 <= overlapping3_not_h15;
-        overlapping4_not_h17 <= overlapping4_not_h15;
-        overlapping5_not_h17 <= overlapping5_not_h15;
-        overlapping6_not_h17 <= overlapping6_not_h15;
-        overlapping7_not_h17 <= overlapping7_not_h15;
-        overlapping8_not_h17 <= overlapping8_not_h15;
-        overlapping3_not_h19 <= overlapping3_not_h17;
-        overlapping4_not_h19 <= overlapping4_not_h17;
-        overlapping5_not_h19 <= overlapping5_not_h17;
-        overlapping6_not_h19 <= overlapping6_not_h17;
-        overlapping7_not_h19 <= overlapping7_not_h17;
-        overlapping8_not_h19 <= overlapping8_not_h17;
-        overlapping3_not_h21 <= overlapping3_not_h19;
-        overlapping4_not_h21 <= overlapping4_not_h19;
-        overlapping5_not_h21 <= overlapping5_not_h19;
-        overlapping6_not_h21 <= overlapping6_not_h19;
-        overlapping7_not_h21 <= overlapping7_not_h19;
-        overlapping8_not_h21 <= overlapping8_not_h19;
-        overlapping3_not_h23 <= overlapping3_not_h21;
-        overlapping4_not_h23 <= overlapping4_not_h21;
-        overlapping5_not_h23 <= overlapping5_not_h21;
-        overlapping6_not_h23 <= overlapping6_not_h21;
-        overlapping7_not_h23 <= overlapping7_not_h21;
-        overlapping8_not_h23 <= overlapping8_not_h21;
-        overlapping3_not_h25 <= overlapping3_not_h23;
-        overlapping4_not_h25 <= overlapping4_not_h23;
-        overlapping5_not_h25 <= overlapping5_not_h23;
-        overlapping6_not_h25 <= overlapping6_not_h23;
-        overlapping7_not_h25 <= overlapping7_not_h23;
-        overlapping8_not_h25 <= overlapping8_not_h23;
-        overlapping3_not_h27 <= overlapping3_not_h25;
-        overlapping4_not_h27 <= overlapping4_not_h25;
-        overlapping5_not_h27 <= overlapping5_not_h25;
-        overlapping6_not_h27 <= overlapping6_not_h25;
-        overlapping7_not_h27 <= overlapping7_not_h25;
-        overlapping8_not_h27 <= overlapping8_not_h25;
-        overlapping3_not_h29 <= overlapping3_not_h27;
-        overlapping4_not_h29 <= overlapping4_not_h27;
-        overlapping5_not_h29 <= overlapping5_not_h27;
-        overlapping6_not_h29 <= overlapping6_not_h27;
-        overlapping7_not_h29 <= overlapping7_not_h27;
-        overlapping8_not_h29 <= overlapping8_not_h27;
-        overlapping3_not_h31 <= overlapping3_not_h29;
-        overlapping4_not_h31 <= overlapping4_not_h29;
-        overlapping5_not_h31 <= overlapping5_not_h29;
-        overlapping6_not_h31 <= overlapping6_not_h29;
-        overlapping7_not_h31 <= overlapping7_not_h29;
-        overlapping8_not_h31 <= overlapping8_not_h29;
-        separated0_h1 <= separated_i(0);
-        separated2_h1 <= separated_i(2);
-        separated3_h1 <= separated_i(3);
-        separated4_h1 <= separated_i(4);
-        separated5_h1 <= separated_i(5);
-        separated6_h1 <= separated_i(6);
-        separated7_h1 <= separated_i(7);
-        separated8_h1 <= separated_i(8);
-        separated0_h3 <= separated0_h1;
-        separated1_h3 <= separated1_h2;
-        separated0_h5 <= separated0_h3;
-        separated0_h7 <= separated0_h5;
-        separated0_h9 <= separated0_h7;
-        overlapping_h1 <= overlapping_i;
-        overlapping0_h3 <= overlapping_h1(0);
-        overlapping1_h3 <= overlapping_h1(1);
-        overlapping2_h3 <= overlapping_h1(2);
-        overlapping0_h5 <= overlapping0_h3;
-        overlapping1_h5 <= overlapping1_h3;
-        overlapping2_h5 <= overlapping2_h3;
-        overlapping0_h7 <= overlapping0_h5;
-        overlapping1_h7 <= overlapping1_h5;
-        overlapping2_h7 <= overlapping2_h5;
-        overlapping0_h9 <= overlapping0_h7;
-        overlapping1_h9 <= overlapping1_h7;
-        overlapping2_h9 <= overlapping2_h7;
-        overlapping0_h11 <= overlapping0_h9;
-        overlapping1_h11 <= overlapping1_h9;
-        overlapping2_h11 <= overlapping2_h9;
-        overlapping0_h13 <= overlapping0_h11;
-        overlapping1_h13 <= overlapping1_h11;
-        overlapping2_h13 <= overlapping2_h11;
-        overlapping0_h15 <= overlapping0_h13;
-        overlapping1_h15 <= overlapping1_h13;
-        overlapping2_h15 <= overlapping2_h13;
-        overlapping0_h17 <= overlapping0_h15;
-        overlapping1_h17 <= overlapping1_h15;
-        overlapping2_h17 <= overlapping2_h15;
-        overlapping0_h19 <= overlapping0_h17;
-        overlapping1_h19 <= overlapping1_h17;
-        overlapping2_h19 <= overlapping2_h17;
-        overlapping0_h21 <= overlapping0_h19;
-        overlapping1_h21 <= overlapping1_h19;
-        overlapping2_h21 <= overlapping2_h19;
-        overlapping0_h23 <= overlapping0_h21;
-        overlapping1_h23 <= overlapping1_h21;
-        overlapping2_h23 <= overlapping2_h21;
-        overlapping0_h25 <= overlapping0_h23;
-        overlapping1_h25 <= overlapping1_h23;
-        overlapping2_h25 <= overlapping2_h23;
-        overlapping0_h27 <= overlapping0_h25;
-        overlapping1_h27 <= overlapping1_h25;
-        overlapping2_h27 <= overlapping2_h25;
-        overlapping0_h29 <= overlapping0_h27;
-        overlapping1_h29 <= overlapping1_h27;
-        overlapping2_h29 <= overlapping2_h27;
-        overlapping0_h31 <= overlapping0_h29;
-        overlapping1_h31 <= overlapping1_h29;
-        overlapping2_h31 <= overlapping2_h29;
-        overlapping0_h33 <= overlapping0_h31;
-        overlapping1_h33 <= overlapping1_h31;
-        overlapping2_h33 <= overlapping2_h31;
-        outside_h1 <= outside_i;
-        outside_h3 <= outside_h1;
-        outside_h5 <= outside_h3;
-        outside_h7 <= outside_h5;
-        outside_h9 <= outside_h7;
-        outside_h11 <= outside_h9;
-        outside_h13 <= outside_h11;
-        outside_h15 <= outside_h13;
-        outside_h17 <= outside_h15;
-        outside_h19 <= outside_h17;
-        outside_h21 <= outside_h19;
-        outside_h23 <= outside_h21;
-        outside_h25 <= outside_h23;
-        outside_h27 <= outside_h25;
-        outside_h29 <= outside_h27;
-        outside_h31 <= outside_h29;
-        outside <= outside_h31;
+        separated_not_held(1 to 15) <= separated_not_held(0 to 14);
+        for m in 3 to 8 loop
+          overlapping_not_held(0)(m) <= not outside_i;
+        end loop;
+        overlapping_not_held(1 to 15) <= overlapping_not_held(0 to 14);
+        separated0_held <= separated0_held(3 downto 0) & separated_i(0);
+        for k in 2 to 8 loop
+          separated_held(k) <= separated_i(k);
+        end loop;
+        separated1_h3 <= separated_held(1);
+        for m in 0 to 2 loop
+          overlapping_held(0)(m) <= overlapping_i(m);
+        end loop;
+        overlapping_held(1 to 16) <= overlapping_held(0 to 15);
+        for k in 3 to 8 loop
+          overlapping_h1(k) <= overlapping_i(k);
+        end loop;
+        outside_held <= outside_held(14 downto 0) & outside_i;
+        outside <= outside_held(15);
       end if;
       if strobe(1) = '1' then
-        pose_bypass_h2 <= pose_bypass;
-        pose_bypass_h4 <= pose_bypass_h2;
-        pose_bypass_h6 <= pose_bypass_h4;
-        difference(5) <= row(0);
-        difference(6) <= row(1);
-        difference(7) <= row(2);
-        difference(8) <= row(3);
-        difference_v1_h9 <= difference_v1_h8;
-        difference_v2_h9 <= difference_v2_h8;
+        pose_bypass_held <= pose_bypass_held(1 downto 0) & pose_bypass;
+        for k in 0 to 3 loop
+          difference(k + 5) <= row(k);
+        end loop;
+        difference_v1_h9 <= difference_v1_held(3);
+        difference_v2_h9 <= difference_v2_held(3);
         difference_w1_h2 <= difference_w1;
         coordinate_cut(0) <= lane_shifted(0);
         coordinate_cut(1) <= lane_shifted(1);
         coordinate_cut(2) <= lane_shifted(2);
-        coordinate_cut0_h2 <= coordinate_cut(0);
-        coordinate_cut1_h2 <= coordinate_cut(1);
-        coordinate_cut2_h2 <= coordinate_cut(2);
+        difference_w2_y_h2 <= difference_w2(1);
+        coordinate_cut_held <= coordinate_cut;
         carried_h1 <= carried;
-        coordinate_cut3_h1 <= coordinate_cut(3);
-        coordinate_cut4_h1 <= coordinate_cut(4);
         taken_x_h1 <= taken_x;
         taken_y_h1 <= taken_y;
         taken_z_h1 <= taken_z;
-        axis_level0_resized_less_choice_h2 <= axis_level0_resized_less_choice;
-        axis_level0_resized_less_choice_h4 <= axis_level0_resized_less_choice_h2;
-        axis_level2_h2 <= axis_level(2);
-        axis_level2_h4 <= axis_level2_h2;
-        moment_cut(6) <= moment_lane_cut(0);
-        moment_cut(7) <= moment_lane_cut(1);
-        moment_cut(8) <= moment_lane_cut(2);
-        moment_cut(9) <= moment_lane_cut(3);
-        moment_cut(10) <= moment_lane_cut(4);
-        moment_cut(11) <= moment_lane_cut(5);
+        axis_level0_resized_less_choice_held(0) <= axis_level0_resized_less_choice;
+        axis_level0_resized_less_choice_held(1) <= axis_level0_resized_less_choice_held(0);
+        axis_level2_held(0) <= axis_level(2);
+        axis_level2_held(1) <= axis_level2_held(0);
+        for k in 0 to 5 loop
+          moment_cut(k + 6) <= moment_lane_cut(k);
+        end loop;
         moment_m0 <= moment_lane(0);
         moment_m1 <= moment_lane(1);
-        coordinate_w0_h2 <= coordinate_w0;
-        coordinate_w0_h4 <= coordinate_w0_h2;
-        coordinate_w0_h6 <= coordinate_w0_h4;
-        coordinate_w0_h8 <= coordinate_w0_h6;
+        coordinate_w0_held <= coordinate_w0 & coordinate_w0_held(0 to 2);
         moment_m1_h2 <= moment_m1;
         determinant_plane_b0 <= dot_lane(0);
         dot_d1(0) <= dot_lane(1);
         dot_d1(1) <= dot_lane(2);
         determinant_side22 <= dot_lane(3);
-        coordinate_w1_h2 <= coordinate_w1;
-        coordinate_w1_h4 <= coordinate_w1_h2;
-        coordinate_w1_h6 <= coordinate_w1_h4;
-        coordinate_w1_h8 <= coordinate_w1_h6;
-        coordinate_w2_h2 <= coordinate_w2;
-        coordinate_w2_h4 <= coordinate_w2_h2;
-        coordinate_w2_h6 <= coordinate_w2_h4;
-        coordinate_w2_h8 <= coordinate_w2_h6;
+        coordinate_w1_held <= coordinate_w1 & coordinate_w1_held(0 to 2);
+        coordinate_w2_held <= coordinate_w2 & coordinate_w2_held(0 to 2);
         determinant_plane_a2 <= dot_lane(4);
-        dot_d1_0_h2 <= dot_d1(0);
-        dot_d1_1_h2 <= dot_d1(1);
+        for k in 0 to 1 loop
+          dot_d1_h2(k) <= dot_d1(k);
+        end loop;
         coordinate_v2_h1 <= coordinate_v2;
         coordinate_v1_h1 <= coordinate_v1;
         for i in 0 to 2 loop
@@ -2095,8 +1220,8 @@ begin
         length_measure(7) <= norm_lane(3);
         length_measure(8) <= norm_lane(2);
         for i in 0 to 2 loop
-          norm_x3_resized_h2(i) <= resize(coordinate_w0(i), 19);
-          norm_x4_resized_h2(i) <= resize(coordinate_w1(i), 19);
+          norm_x_resized_h2(3)(i) <= resize(coordinate_w0(i), 19);
+          norm_x_resized_h2(4)(i) <= resize(coordinate_w1(i), 19);
         end loop;
         length_measure_h2(4) <= length_measure(4);
         length_measure_h2(5) <= length_measure(5);
@@ -2106,10 +1231,9 @@ begin
         length_measure_h4(5) <= length_measure_h2(5);
         length_measure_h4(7) <= length_measure_h2(7);
         length_measure_h4(8) <= length_measure_h2(8);
-        length_bound(5) <= length_first(0);
-        length_bound(6) <= length_first(1);
-        length_bound(7) <= length_first(2);
-        length_bound(8) <= length_first(3);
+        for k in 0 to 3 loop
+          length_bound(k + 5) <= length_first(k);
+        end loop;
         norm_of_moment(2) <= moment_norm_lane(0);
         norm_of_moment(3) <= moment_norm_lane(1);
         moment_bound(2) <= moment_first(0);
@@ -2140,66 +1264,29 @@ begin
         bound_side20_sum_second_h2 <= resize(face_of_vertex_h1(1)(0), 30) + resize(face_of_vertex_h1(1)(1), 30);
         bound_side21_sum_second_h2 <= resize(face_of_vertex_h1(1)(1), 30) + resize(face_of_vertex_h1(1)(2), 30);
         bound_side22_sum_second_h2 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex_h1(1)(0), 30);
-        compared3_h2 <= compared(3);
-        compared_bound3_h1 <= compared_bound(3);
-        compared_bound8_h2 <= compared_bound(8);
+        compared_held(3) <= compared(3);
+        compared_bound_held(3) <= compared_bound(3);
+        compared_bound_held(8) <= compared_bound(8);
         boxes_apart_along(2) <= boxes_lane(0);
-        compared3_sign0_h2 <= compared3_sign0;
-        compared3_sign1_h2 <= compared3_sign1;
-        compared4_sign0_h1 <= compared4_sign0;
-        compared4_sign1_h1 <= compared4_sign1;
-        compared6_sign0_h1 <= compared6_sign0;
-        compared6_sign1_h1 <= compared6_sign1;
-        compared7_sign0_h1 <= compared7_sign0;
-        compared7_sign1_h1 <= compared7_sign1;
-        compared8_sign0_h1 <= compared8_sign0;
-        compared8_sign1_h1 <= compared8_sign1;
-        compared5_sign0_h1 <= compared5_sign0;
-        compared5_sign1_h1 <= compared5_sign1;
-        compared9_sign0_h1 <= compared9_sign0;
-        compared9_sign1_h1 <= compared9_sign1;
-        compared10_sign0_h1 <= compared10_sign0;
-        compared10_sign1_h1 <= compared10_sign1;
-        compared11_sign0_h1 <= compared11_sign0;
-        compared11_sign1_h1 <= compared11_sign1;
-        compared12_sign0_h3 <= compared12_sign0_h2;
-        compared12_sign1_h3 <= compared12_sign1_h2;
-        compared13_sign0_h3 <= compared13_sign0_h2;
-        compared13_sign1_h3 <= compared13_sign1_h2;
-        compared14_sign0_h3 <= compared14_sign0_h2;
-        compared14_sign1_h3 <= compared14_sign1_h2;
-        compared0_sign0_h3 <= compared0_sign0_h2;
-        compared0_sign1_h3 <= compared0_sign1_h2;
-        compared1_sign0_h3 <= compared1_sign0_h2;
-        compared1_sign1_h3 <= compared1_sign1_h2;
-        compared2_sign0_h3 <= compared2_sign0_h2;
-        compared2_sign1_h3 <= compared2_sign1_h2;
-        separated0_not_h24 <= separated_not_h23(0);
-        separated1_or_h1 <= (compared0_sign0 and compared1_sign0 and compared2_sign0) or
-            (compared0_sign1 and compared1_sign1 and compared2_sign1);
-        separated2_or_h1 <= (compared3_sign0 and compared4_sign0 and compared5_sign0) or
-            (compared3_sign1 and compared4_sign1 and compared5_sign1);
-        separated1_not_h30 <= separated1_not_h29;
-        separated2_not_h32 <= separated2_not_h31;
-        separated3_not_h32 <= separated3_not_h31;
-        separated4_not_h32 <= separated4_not_h31;
-        separated5_not_h32 <= separated5_not_h31;
-        separated6_not_h32 <= separated6_not_h31;
-        separated7_not_h32 <= separated7_not_h31;
-        separated8_not_h32 <= separated8_not_h31;
-        overlapping3_not_h32 <= overlapping3_not_h31;
-        overlapping4_not_h32 <= overlapping4_not_h31;
-        overlapping5_not_h32 <= overlapping5_not_h31;
-        overlapping6_not_h32 <= overlapping6_not_h31;
-        overlapping7_not_h32 <= overlapping7_not_h31;
-        overlapping8_not_h32 <= overlapping8_not_h31;
-        separated1_h2 <= separated_i(1);
+        for k in 3 to 11 loop
+          sign_held(k) <= sign(k);
+        end loop;
+        for k in 0 to 2 loop
+          sign_h3(k) <= sign_held(k);
+        end loop;
+        for k in 12 to 14 loop
+          sign_12_to_14_h3(k) <= sign_held(k);
+        end loop;
+        separated_not_held_2(0) <= separated0_not_held(11);
+        separated_not_held_2(1) <= separated1_not_held(14);
+        for k in 2 to 8 loop
+          separated_not_held_2(k) <= separated_not_held(15)(k);
+        end loop;
+        separated_or_h1(1) <= (sign(0)(0) and sign(1)(0) and sign(2)(0)) or (sign(0)(1) and sign(1)(1) and sign(2)(1));
+        separated_or_h1(2) <= (sign(3)(0) and sign(4)(0) and sign(5)(0)) or (sign(3)(1) and sign(4)(1) and sign(5)(1));
+        overlapping_not_h32 <= overlapping_not_held(15);
+        separated_held(1) <= separated_i(1);
       end if;
-      for i in 0 to 2 loop
-        if strobe(i mod 2) = '1' then
-          difference_w2_h2(i) <= difference_w2(i);
-        end if;
-      end loop;
       if in_phase_0 = '1' then
         busy_2 <= holds(0);
         busy_12 <= holds(5);
@@ -2232,22 +1319,15 @@ begin
   end process state;
 
   -- Outputs
-  separated(0) <= separated0_h9;
+  separated(0) <= separated0_held(4);
   separated(1) <= separated1_h3;
-  separated(2) <= separated_i(2);
-  separated(3) <= separated_i(3);
-  separated(4) <= separated_i(4);
-  separated(5) <= separated_i(5);
-  separated(6) <= separated_i(6);
-  separated(7) <= separated_i(7);
-  separated(8) <= separated_i(8);
-  overlapping(0) <= overlapping0_h33;
-  overlapping(1) <= overlapping1_h33;
-  overlapping(2) <= overlapping2_h33;
-  overlapping(3) <= overlapping_i(3);
-  overlapping(4) <= overlapping_i(4);
-  overlapping(5) <= overlapping_i(5);
-  overlapping(6) <= overlapping_i(6);
-  overlapping(7) <= overlapping_i(7);
-  overlapping(8) <= overlapping_i(8);
+  separated_each : for k in 2 to 8 generate
+    separated(k) <= separated_i(k);
+  end generate separated_each;
+  overlapping(0) <= overlapping_held(16)(0);
+  overlapping(1) <= overlapping_held(16)(1);
+  overlapping(2) <= overlapping_held(16)(2);
+  overlapping_each : for k in 3 to 8 generate
+    overlapping(k) <= overlapping_i(k);
+  end generate overlapping_each;
 end architecture rtl;

@@ -24,8 +24,7 @@ architecture rtl of coordinate_shift is
   signal shift_i : std_logic_vector(3 downto 0);
   signal word_0 : unsigned(30 downto 0);
   signal word_0_d1 : unsigned(30 downto 0) := (others => '0');
-  signal shift1_d1 : std_logic := '0';
-  signal shift0_d1 : std_logic := '0';
+  signal shift_d1 : std_logic_vector(1 downto 0) := (others => '0');
   signal word_1 : unsigned(30 downto 0);
   signal word_2 : unsigned(30 downto 0);
 begin
@@ -51,18 +50,19 @@ begin
   begin
     if rising_edge(clk) then
       word_0_d1 <= word_0;
-      shift1_d1 <= shift_i(1);
-      shift0_d1 <= shift_i(0);
+      for k in 0 to 1 loop
+        shift_d1(k) <= shift_i(k);
+      end loop;
     end if;
   end process clock_2;
   shift_i(2) <= not or_reduce(word_1(30 downto 29));
   shift_i(3) <= not word_2(30);
-  word_1 <= shift_left(word_0_d1, 4) when shift1_d1 = '1' else word_0_d1;
+  word_1 <= shift_left(word_0_d1, 4) when shift_d1(1) = '1' else word_0_d1;
   word_2 <= shift_left(word_1, 2) when shift_i(2) = '1' else word_1;
 
   -- Outputs
-  shift(0) <= shift0_d1;
-  shift(1) <= shift1_d1;
+  shift(0) <= shift_d1(0);
+  shift(1) <= shift_d1(1);
   shift(2) <= shift_i(2);
   shift(3) <= shift_i(3);
 end architecture rtl;

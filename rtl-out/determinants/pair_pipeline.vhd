@@ -2,7 +2,7 @@
 --------------------------------------------------------------------------------
 -- The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with
 -- bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is
--- named after what it is; later copies end in _h<clocks>.
+-- named after what it is; later copies end in _h<clocks>, or are elements of x_held.
 -- Latency: 28 clocks.
 --------------------------------------------------------------------------------
 library ieee;
@@ -30,65 +30,37 @@ architecture rtl of pair_pipeline is
   constant axis_level_1_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant axis_level_2_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant boxes_wrong_table : numbers_t(0 to 7) := (1, 1, 2, 3, 5, 9, 17, others => 0);
-  signal in_v0_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_v0_outside : std_logic_vector(2 downto 0);
-  signal in_v1_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_v1_outside : std_logic_vector(2 downto 0);
-  signal in_v2_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_v2_outside : std_logic_vector(2 downto 0);
-  signal in_w0_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_w0_outside : std_logic_vector(2 downto 0);
-  signal in_w1_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_w1_outside : std_logic_vector(2 downto 0);
-  signal in_w2_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_w2_outside : std_logic_vector(2 downto 0);
+  signal in_v_inside : signed_32_x3_x3_t;  -- |.| <= 268435456
+  signal in_v_outside : flag_x3_x3_t;
+  signal in_w_inside : signed_32_x3_x3_t;  -- |.| <= 268435456
+  signal in_w_outside : flag_x3_x3_t;
   signal difference_v1 : signed_33_vector_t;  -- |.| <= 536870912
   signal difference_v2 : signed_33_vector_t;  -- |.| <= 536870912
   signal pose_t_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
   signal pose_t_inside : signed_32_x3_t;  -- |.| <= 1073741816
   signal pose_t_outside : std_logic_vector(2 downto 0);
-  signal in_v0_inside_h1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_v_inside0_h1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal moved : signed_33_vector_t;  -- |.| <= 1342177272; t - V0, or - V0 with the bypass
-  signal pose_m0_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
-  signal pose_m0_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal pose_m0_outside : std_logic_vector(2 downto 0);
-  signal pose_m1_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
-  signal pose_m1_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal pose_m1_outside : std_logic_vector(2 downto 0);
-  signal pose_m2_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
-  signal pose_m2_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal pose_m2_outside : std_logic_vector(2 downto 0);
-  signal pose_m0_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w0_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w0_inside_d2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal pose_m_inside_number_h1 : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m_inside : signed_32_x3_x3_t;  -- |.| <= 268435456
+  signal pose_m_outside : flag_x3_x3_t;
+  signal pose_m_inside_d1 : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- |.| <= 268435456
+  signal in_w_inside_d1 : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- |.| <= 268435456
+  signal in_w_inside_d2 : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- |.| <= 268435456
   signal row_turned : signed_32_x9_t;  -- |.| <= 805306372
   signal pose_bypass_line : std_logic_vector(1 to 7) := (others => '0');
-  type in_w0_inside_line_t is array (1 to 4) of signed_32_x3_t;
-  signal in_w0_inside_line : in_w0_inside_line_t := (others => zero_signed_32_x3);  -- |.| <= 268435456
+  type in_w_inside_line_t is array (1 to 4) of signed_32_x3_x3_t;
+  signal in_w_inside_line : in_w_inside_line_t := (others => zero_signed_32_x3_x3);  -- |.| <= 268435456
   signal row_choice_d1 : signed_32_x9_t := zero_signed_32_x9;  -- |.| <= 805306372
   type moved_line_t is array (1 to 6) of signed_33_vector_t;
   signal moved_line : moved_line_t := (others => zero_signed_33_vector);  -- |.| <= 1342177272
   signal row : signed_34_x9_t;  -- |.| <= 2147483644
   signal difference : signed_34_x9_t := zero_signed_34_x9;  -- |.| <= 2147483644
-  signal pose_m1_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal pose_m2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w1_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w1_inside_d2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  type in_w1_inside_line_t is array (1 to 4) of signed_32_x3_t;
-  signal in_w1_inside_line : in_w1_inside_line_t := (others => zero_signed_32_x3);  -- |.| <= 268435456
-  signal in_w2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal in_w2_inside_d2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  type in_w2_inside_line_t is array (1 to 4) of signed_32_x3_t;
-  signal in_w2_inside_line : in_w2_inside_line_t := (others => zero_signed_32_x3);  -- |.| <= 268435456
   signal difference_w0 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w1 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w2 : signed_33_vector_t;  -- |.| <= 2147483644
-  signal in_v0_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
-  signal in_v1_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
-  signal in_v2_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
-  signal in_w0_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
-  signal in_w1_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
-  signal in_w2_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal in_v_outside_h1 : flag_x3_x3_t := zero_flag_x3_x3;
+  signal in_w_outside_h1 : flag_x3_x3_t := zero_flag_x3_x3;
   signal outside_flags : unsigned(29 downto 0);
   signal outside_i : std_logic;  -- a number of the pair or its pose is outside its declared range
   type difference_v1_line_t is array (1 to 8) of signed_33_vector_t;
@@ -134,7 +106,7 @@ architecture rtl of pair_pipeline is
   signal coordinate_w0_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal coordinate_w1_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal moment_lane_cut : signed_20_x12_t;  -- |.| <= 524281
-  signal moment_too_great : flag_x1_x12_t;
+  signal moment_too_great0 : std_logic_vector(11 downto 0);
   signal moment_cut : signed_20_x12_t := zero_signed_20_x12;  -- |.| <= 524281
   signal coordinate_w2_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal coordinate_v1_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
@@ -180,17 +152,11 @@ architecture rtl of pair_pipeline is
   signal determinant_side12 : signed(39 downto 0);  -- |.| <= 206156857344
   signal e_a1 : signed_19_vector_t;  -- |.| <= 262142
   signal e_b : signed_19_vector_x3_t;  -- |.| <= 262142
-  signal norm_x0_resized_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
-  signal norm_x1_resized_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
-  signal norm_x3_resized_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
-  signal norm_x4_resized_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
-  signal norm_x5_resized_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal norm_x_0_to_1_resized_d1 : signed_19_vector_x2_t := zero_signed_19_vector_x2;  -- |.| <= 131071
+  signal norm_x_resized_d1 : signed_19_vector_3_to_5_t := zero_signed_19_vector_3_to_5;  -- |.| <= 131071
   signal norm_lane : unsigned_21_x9_t;
   signal e_a1_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262142
-  signal length_measure8 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure5 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure6 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure7 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure : unsigned_21_5_to_8_t := zero_unsigned_21_5_to_8;
   signal e_b_d1 : signed_19_vector_x3_t := zero_signed_19_vector_x3;  -- |.| <= 262142
   type level_line_t is array (1 to 3) of unsigned(2 downto 0);
   signal level_line : level_line_t := (others => (others => '0'));
@@ -199,34 +165,12 @@ architecture rtl of pair_pipeline is
   signal rest_aligned_second_h1 : unsigned(16 downto 0) := (others => '0');
   signal rest_of_level_aligned_h1 : unsigned(15 downto 0) := (others => '0');
   signal rest : unsigned(16 downto 0);  -- c(3); four times that is c(5)
-  type length_measure0_line_t is array (1 to 3) of unsigned(20 downto 0);
-  signal length_measure0_line : length_measure0_line_t := (others => (others => '0'));
-  type length_measure1_line_t is array (1 to 3) of unsigned(20 downto 0);
-  signal length_measure1_line : length_measure1_line_t := (others => (others => '0'));
-  signal length_measure8_h2 : unsigned(20 downto 0) := (others => '0');
-  type length_measure2_line_t is array (1 to 3) of unsigned(20 downto 0);
-  signal length_measure2_line : length_measure2_line_t := (others => (others => '0'));
-  type length_measure3_line_t is array (1 to 3) of unsigned(20 downto 0);
-  signal length_measure3_line : length_measure3_line_t := (others => (others => '0'));
-  type length_measure4_line_t is array (1 to 3) of unsigned(20 downto 0);
-  signal length_measure4_line : length_measure4_line_t := (others => (others => '0'));
-  signal length_measure5_h2 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure6_h2 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure7_h2 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure0_h3 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure1_h3 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure2_h3 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure3_h3 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure4_h3 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure0_h4 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure1_h4 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure2_h4 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure3_h4 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure4_h4 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure8_h1 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure5_h1 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure6_h1 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure7_h1 : unsigned(20 downto 0) := (others => '0');
+  type length_measure_line_t is array (1 to 3) of unsigned_21_x5_t;
+  signal length_measure_line : length_measure_line_t := (others => zero_unsigned_21_x5);
+  signal length_measure_5_to_8_h2 : unsigned_21_5_to_8_t := zero_unsigned_21_5_to_8;
+  signal length_measure_h3 : unsigned_21_x5_t := zero_unsigned_21_x5;
+  signal length_measure_h4 : unsigned_21_x5_t := zero_unsigned_21_x5;
+  signal length_measure_h1 : unsigned_21_5_to_8_t := zero_unsigned_21_5_to_8;
   signal rest_h1 : unsigned(16 downto 0) := (others => '0');
   signal rest_h2 : unsigned(16 downto 0) := (others => '0');
   signal length_measure0_plane_a0 : unsigned(23 downto 0);
@@ -314,163 +258,49 @@ architecture rtl of pair_pipeline is
   signal bound_side22_sum_second_h1 : unsigned(29 downto 0) := (others => '0');
   signal bound_side22 : unsigned(30 downto 0);
   signal compared_bound : signed_31_x15_t;  -- |.| <= 67665506
-  signal compared0_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared1_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared2_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared3_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared4_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared5_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared6_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared7_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared8_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared9_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared10_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared11_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared12_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared13_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared14_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared_bound0_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound1_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound2_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound3_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 10231806
-  signal compared_bound4_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
-  signal compared_bound5_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
-  signal compared_bound9_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal compared_bound10_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal compared_bound11_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal compared_bound12_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound13_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound14_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared0_sign0 : std_logic;
-  signal compared0_sign1 : std_logic;
-  signal compared1_sign0 : std_logic;
-  signal compared1_sign1 : std_logic;
-  signal compared2_sign0 : std_logic;
-  signal compared2_sign1 : std_logic;
+  signal compared_0_to_3_h1 : signed_41_x4_t := zero_signed_41_x4;  -- |.| <= 51539214336
+  signal compared_h1 : signed_41_4_to_11_t := zero_signed_41_4_to_11;  -- |.| <= 206156857344
+  signal compared_12_to_14_h1 : signed_41_12_to_14_t := zero_signed_41_12_to_14;  -- |.| <= 51539214336
+  signal compared_bound_h1 : signed_31_x3_t := zero_signed_31_x3;  -- |.| <= 16916376
+  signal compared_bound_3_to_5_h1 : signed_31_3_to_5_t := zero_signed_31_3_to_5;  -- |.| <= 60980936
+  signal compared_bound_9_to_11_h1 : signed_31_9_to_11_t := zero_signed_31_9_to_11;  -- |.| <= 67665506
+  signal compared_bound_12_to_14_h1 : signed_31_12_to_14_t := zero_signed_31_12_to_14;  -- |.| <= 16916376
+  signal sign : flag_x2_x15_t;
   signal compared3_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared3_sign0 : std_logic;
-  signal compared3_sign1 : std_logic;
-  signal compared_bound4_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
-  signal compared_bound5_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
-  signal compared_bound9_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal compared_bound10_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal compared_bound11_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal compared4_sign0 : std_logic;
-  signal compared4_sign1 : std_logic;
-  signal compared5_sign0 : std_logic;
-  signal compared5_sign1 : std_logic;
-  type compared_bound6_line_t is array (1 to 3) of signed(30 downto 0);
-  signal compared_bound6_line : compared_bound6_line_t := (others => (others => '0'));  -- |.| <= 16916376
-  type compared_bound7_line_t is array (1 to 3) of signed(30 downto 0);
-  signal compared_bound7_line : compared_bound7_line_t := (others => (others => '0'));  -- |.| <= 16916376
-  type compared_bound8_line_t is array (1 to 3) of signed(30 downto 0);
-  signal compared_bound8_line : compared_bound8_line_t := (others => (others => '0'));  -- |.| <= 16916376
-  signal compared6_sign0 : std_logic;
-  signal compared6_sign1 : std_logic;
-  signal compared7_sign0 : std_logic;
-  signal compared7_sign1 : std_logic;
-  signal compared8_sign0 : std_logic;
-  signal compared8_sign1 : std_logic;
-  signal compared9_sign0 : std_logic;
-  signal compared9_sign1 : std_logic;
-  signal compared10_sign0 : std_logic;
-  signal compared10_sign1 : std_logic;
-  signal compared11_sign0 : std_logic;
-  signal compared11_sign1 : std_logic;
-  signal compared12_sign0 : std_logic;
-  signal compared12_sign1 : std_logic;
-  signal compared13_sign0 : std_logic;
-  signal compared13_sign1 : std_logic;
-  signal compared14_sign0 : std_logic;
-  signal compared14_sign1 : std_logic;
+  signal compared_bound_4_to_5_h2 : signed_31_4_to_5_t := zero_signed_31_4_to_5;  -- |.| <= 60980936
+  signal compared_bound_h2 : signed_31_9_to_11_t := zero_signed_31_9_to_11;  -- |.| <= 67665506
+  type compared_bound_line_t is array (1 to 3) of signed_31_6_to_8_t;
+  signal compared_bound_line : compared_bound_line_t := (others => zero_signed_31_6_to_8);  -- |.| <= 16916376
   signal boxes_wrong_d1 : unsigned(4 downto 0) := (others => '0');
   signal boxes_lane : std_logic_vector(2 downto 0);
   signal boxes_apart_along : std_logic_vector(2 downto 0) := (others => '0');
   signal boxes_apart : std_logic;
-  signal compared3_sign0_h1 : std_logic := '0';
-  signal compared3_sign0_h2 : std_logic := '0';
-  signal compared3_sign1_h1 : std_logic := '0';
-  signal compared3_sign1_h2 : std_logic := '0';
-  signal compared4_sign0_h1 : std_logic := '0';
-  signal compared4_sign1_h1 : std_logic := '0';
-  signal compared6_sign0_h1 : std_logic := '0';
-  signal compared6_sign1_h1 : std_logic := '0';
-  signal compared7_sign0_h1 : std_logic := '0';
-  signal compared7_sign1_h1 : std_logic := '0';
-  signal compared8_sign0_h1 : std_logic := '0';
-  signal compared8_sign1_h1 : std_logic := '0';
-  signal separated3_result : std_logic;
-  signal separated4_result : std_logic;
-  signal separated5_result : std_logic;
-  signal separated6_result : std_logic;
-  signal separated7_result : std_logic;
-  signal separated8_result : std_logic;
-  signal overlapping3_result : std_logic;
-  signal overlapping4_result : std_logic;
-  signal overlapping5_result : std_logic;
-  signal overlapping6_result : std_logic;
-  signal overlapping7_result : std_logic;
-  signal overlapping8_result : std_logic;
-  signal compared5_sign0_h1 : std_logic := '0';
-  signal compared5_sign1_h1 : std_logic := '0';
-  signal compared9_sign0_h1 : std_logic := '0';
-  signal compared9_sign1_h1 : std_logic := '0';
-  signal compared10_sign0_h1 : std_logic := '0';
-  signal compared10_sign1_h1 : std_logic := '0';
-  signal compared11_sign0_h1 : std_logic := '0';
-  signal compared11_sign1_h1 : std_logic := '0';
-  signal compared12_sign0_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared12_sign1_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared13_sign0_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared13_sign1_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared14_sign0_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared14_sign1_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared0_sign0_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared0_sign1_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared1_sign0_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared1_sign1_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared2_sign0_line : std_logic_vector(1 to 3) := (others => '0');
-  signal compared2_sign1_line : std_logic_vector(1 to 3) := (others => '0');
-  signal overlapping0_constant : std_logic;
-  signal overlapping1_constant : std_logic;
-  signal overlapping2_constant : std_logic;
+  signal sign3_h1 : std_logic_vector(1 downto 0) := (others => '0');
+  signal sign_h1 : flag_x2_4_to_11_t := zero_flag_x2_4_to_11;
+  signal sign3_h2 : std_logic_vector(1 downto 0) := (others => '0');
+  signal separated_result : std_logic_vector(8 downto 3);
+  signal overlapping_result : std_logic_vector(8 downto 3);
+  type sign_line_t is array (1 to 3) of flag_x2_x3_t;
+  signal sign_line : sign_line_t := (others => zero_flag_x2_x3);
+  type sign_12_to_14_line_t is array (1 to 3) of flag_x2_12_to_14_t;
+  signal sign_12_to_14_line : sign_12_to_14_line_t := (others => zero_flag_x2_12_to_14);
+  signal overlapping_constant : std_logic_vector(2 downto 0);
   signal separated0_not_line : std_logic_vector(1 to 17) := (others => '0');
   signal separated_i : std_logic_vector(8 downto 0);
   signal separated1_or_h1 : std_logic := '0';
   signal separated2_or_h1 : std_logic := '0';
   signal separated1_not_line : std_logic_vector(1 to 23) := (others => '0');
-  signal separated2_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal separated3_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal separated4_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal separated5_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal separated6_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal separated7_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal separated8_not_line : std_logic_vector(1 to 25) := (others => '0');
+  type separated_not_line_t is array (1 to 25) of std_logic_vector(8 downto 2);
+  signal separated_not_line : separated_not_line_t := (others => (others => '0'));
   signal overlapping_i : std_logic_vector(8 downto 0);
-  signal overlapping3_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal overlapping4_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal overlapping5_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal overlapping6_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal overlapping7_not_line : std_logic_vector(1 to 25) := (others => '0');
-  signal overlapping8_not_line : std_logic_vector(1 to 25) := (others => '0');
+  type overlapping_not_line_t is array (1 to 25) of std_logic_vector(8 downto 3);
+  signal overlapping_not_line : overlapping_not_line_t := (others => (others => '0'));
   signal separated0_line : std_logic_vector(1 to 9) := (others => '0');
   signal separated1_line : std_logic_vector(1 to 3) := (others => '0');
-  signal separated2_h1 : std_logic := '0';
-  signal separated3_h1 : std_logic := '0';
-  signal separated4_h1 : std_logic := '0';
-  signal separated5_h1 : std_logic := '0';
-  signal separated6_h1 : std_logic := '0';
-  signal separated7_h1 : std_logic := '0';
-  signal separated8_h1 : std_logic := '0';
-  signal overlapping0_line : std_logic_vector(1 to 26) := (others => '0');
-  signal overlapping1_line : std_logic_vector(1 to 26) := (others => '0');
-  signal overlapping2_line : std_logic_vector(1 to 26) := (others => '0');
-  signal overlapping3_h1 : std_logic := '0';
-  signal overlapping4_h1 : std_logic := '0';
-  signal overlapping5_h1 : std_logic := '0';
-  signal overlapping6_h1 : std_logic := '0';
-  signal overlapping7_h1 : std_logic := '0';
-  signal overlapping8_h1 : std_logic := '0';
+  signal separated_h1 : std_logic_vector(8 downto 2) := (others => '0');
+  type overlapping_line_t is array (1 to 26) of std_logic_vector(2 downto 0);
+  signal overlapping_line : overlapping_line_t := (others => (others => '0'));
+  signal overlapping_h1 : std_logic_vector(8 downto 3) := (others => '0');
   signal outside_line : std_logic_vector(1 to 26) := (others => '0');
   signal row_turned_unit_m : signed_32_vector_x9_t;
   signal row_turned_unit_w : signed_32_vector_x9_t;
@@ -496,68 +326,33 @@ architecture rtl of pair_pipeline is
   signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
   signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
   signal moment_norm_lane_unit_x : signed_18_vector_x4_t;
-  signal compared0_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared1_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared2_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared3_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared4_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared5_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared6_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared7_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared8_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared9_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared10_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared11_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared12_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared13_sign0_unit_sign : std_logic_vector(1 downto 0);
-  signal compared14_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal sign_unit_x : signed_41_x15_t;
+  signal sign_unit_bound : signed_31_x15_t;
   signal boxes_lane_unit_v : signed_18_x2_x3_t;
   signal boxes_lane_unit_w : signed_18_x3_x3_t;
-  signal separated3_result_unit_ends : flag_x2_x2_t;
-  signal separated3_result_unit_sides : flag_x2_x3_t;
-  signal separated4_result_unit_ends : flag_x2_x2_t;
-  signal separated4_result_unit_sides : flag_x2_x3_t;
-  signal separated5_result_unit_ends : flag_x2_x2_t;
-  signal separated5_result_unit_sides : flag_x2_x3_t;
-  signal separated6_result_unit_ends : flag_x2_x2_t;
-  signal separated6_result_unit_sides : flag_x2_x3_t;
-  signal separated7_result_unit_ends : flag_x2_x2_t;
-  signal separated7_result_unit_sides : flag_x2_x3_t;
-  signal separated8_result_unit_ends : flag_x2_x2_t;
-  signal separated8_result_unit_sides : flag_x2_x3_t;
+  signal separated_result_unit_ends : flag_x2_x2_3_to_8_t;
+  signal separated_result_unit_sides : flag_x2_x3_3_to_8_t;
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
 begin
-  -- Strobes, one per phase
-  overlapping0_constant <= '0';
-  overlapping1_constant <= '0';
-  overlapping2_constant <= '0';
+  -- Constants
+  overlapping_constant_each : for k in 0 to 2 generate
+    overlapping_constant(k) <= '0';
+  end generate overlapping_constant_each;
 
   -- Clock 0
-  in_v0_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_v(0)(k), passed => in_v0_inside(k), outside => in_v0_outside(k));
-  end generate in_v0_inside_unit;
-  in_v1_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_v(1)(k), passed => in_v1_inside(k), outside => in_v1_outside(k));
-  end generate in_v1_inside_unit;
-  in_v2_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_v(2)(k), passed => in_v2_inside(k), outside => in_v2_outside(k));
-  end generate in_v2_inside_unit;
-  in_w0_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_w(0)(k), passed => in_w0_inside(k), outside => in_w0_outside(k));
-  end generate in_w0_inside_unit;
-  in_w1_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_w(1)(k), passed => in_w1_inside(k), outside => in_w1_outside(k));
-  end generate in_w1_inside_unit;
-  in_w2_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_w(2)(k), passed => in_w2_inside(k), outside => in_w2_outside(k));
-  end generate in_w2_inside_unit;
+  in_v_inside_unit_of : for k in 0 to 2 generate
+    in_v_inside_unit : for m in 0 to 2 generate
+      unit : entity work.guard_coordinate
+        port map (clk => clk, number => in_v(k)(m), passed => in_v_inside(k)(m), outside => in_v_outside(k)(m));
+    end generate in_v_inside_unit;
+  end generate in_v_inside_unit_of;
+  in_w_inside_unit_of : for k in 0 to 2 generate
+    in_w_inside_unit : for m in 0 to 2 generate
+      unit : entity work.guard_coordinate
+        port map (clk => clk, number => in_w(k)(m), passed => in_w_inside(k)(m), outside => in_w_outside(k)(m));
+    end generate in_w_inside_unit;
+  end generate in_w_inside_unit_of;
 
   -- Clock 1
   clock_1 : process (clk)
@@ -565,96 +360,79 @@ begin
     if rising_edge(clk) then
       for k in 0 to 2 loop
         pose_t_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_t(k));
-        pose_m0_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(k));
-        pose_m1_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(k));
-        pose_m2_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(k));
+        for m in 0 to 2 loop
+          pose_m_inside_number_h1(k)(m) <= choose(pose_bypass, to_signed(0, 32), pose_m(k)(m));
+        end loop;
       end loop;
     end if;
   end process clock_1;
   difference_v1_each : for i in 0 to 2 generate
-    difference_v1(i) <= resize(in_v1_inside(i), 33) - resize(in_v0_inside(i), 33);
-    difference_v2(i) <= resize(in_v2_inside(i), 33) - resize(in_v0_inside(i), 33);
+    difference_v1(i) <= resize(in_v_inside(1)(i), 33) - resize(in_v_inside(0)(i), 33);
+    difference_v2(i) <= resize(in_v_inside(2)(i), 33) - resize(in_v_inside(0)(i), 33);
   end generate difference_v1_each;
   pose_t_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_translation
       port map (clk => clk, number => pose_t_inside_number_h1(k), passed => pose_t_inside(k),
                 outside => pose_t_outside(k));
   end generate pose_t_inside_unit;
-  pose_m0_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => pose_m0_inside_number_h1(k), passed => pose_m0_inside(k),
-                outside => pose_m0_outside(k));
-  end generate pose_m0_inside_unit;
-  pose_m1_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => pose_m1_inside_number_h1(k), passed => pose_m1_inside(k),
-                outside => pose_m1_outside(k));
-  end generate pose_m1_inside_unit;
-  pose_m2_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => pose_m2_inside_number_h1(k), passed => pose_m2_inside(k),
-                outside => pose_m2_outside(k));
-  end generate pose_m2_inside_unit;
+  pose_m_inside_unit_of : for k in 0 to 2 generate
+    pose_m_inside_unit : for m in 0 to 2 generate
+      unit : entity work.guard_coordinate
+        port map (clk => clk, number => pose_m_inside_number_h1(k)(m), passed => pose_m_inside(k)(m),
+                  outside => pose_m_outside(k)(m));
+    end generate pose_m_inside_unit;
+  end generate pose_m_inside_unit_of;
 
   -- Clock 2
   clock_2 : process (clk)
   begin
     if rising_edge(clk) then
-      in_v0_inside_h1 <= in_v0_inside;
-      in_w0_inside_d1 <= in_w0_inside;
-      in_w1_inside_d1 <= in_w1_inside;
-      in_w2_inside_d1 <= in_w2_inside;
-      in_v0_outside_h1 <= in_v0_outside;
-      in_v1_outside_h1 <= in_v1_outside;
-      in_v2_outside_h1 <= in_v2_outside;
-      in_w0_outside_h1 <= in_w0_outside;
-      in_w1_outside_h1 <= in_w1_outside;
-      in_w2_outside_h1 <= in_w2_outside;
+      in_v_inside0_h1 <= in_v_inside(0);
+      in_w_inside_d1 <= in_w_inside;
+      in_v_outside_h1 <= in_v_outside;
+      in_w_outside_h1 <= in_w_outside;
     end if;
   end process clock_2;
   moved_each : for i in 0 to 2 generate
-    moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v0_inside_h1(i), 33);
+    moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v_inside0_h1(i), 33);
   end generate moved_each;
-  outside_flags <= unsigned(pose_m2_outside) & unsigned(pose_m1_outside) & unsigned(pose_m0_outside) &
-      unsigned(pose_t_outside) & unsigned(in_w2_outside_h1) & unsigned(in_w1_outside_h1) & unsigned(in_w0_outside_h1) &
-      unsigned(in_v2_outside_h1) & unsigned(in_v1_outside_h1) & unsigned(in_v0_outside_h1);
+  outside_flags <= unsigned(pose_m_outside(2)) & unsigned(pose_m_outside(1)) & unsigned(pose_m_outside(0)) &
+      unsigned(pose_t_outside) & unsigned(in_w_outside_h1(2)) & unsigned(in_w_outside_h1(1)) &
+      unsigned(in_w_outside_h1(0)) & unsigned(in_v_outside_h1(2)) & unsigned(in_v_outside_h1(1)) &
+      unsigned(in_v_outside_h1(0));
   outside_i <= or_reduce(outside_flags);
-  overlapping_i(0) <= overlapping0_constant and not outside_i;
-  overlapping_i(1) <= overlapping1_constant and not outside_i;
-  overlapping_i(2) <= overlapping2_constant and not outside_i;
+  overlapping_i(0) <= overlapping_constant(0) and not outside_i;
+  overlapping_i(1) <= overlapping_constant(1) and not outside_i;
+  overlapping_i(2) <= overlapping_constant(2) and not outside_i;
 
   -- Clock 3
   clock_3 : process (clk)
   begin
     if rising_edge(clk) then
-      pose_m0_inside_d1 <= pose_m0_inside;
-      in_w0_inside_d2 <= in_w0_inside_d1;
-      pose_m1_inside_d1 <= pose_m1_inside;
-      pose_m2_inside_d1 <= pose_m2_inside;
-      in_w1_inside_d2 <= in_w1_inside_d1;
-      in_w2_inside_d2 <= in_w2_inside_d1;
+      pose_m_inside_d1 <= pose_m_inside;
+      in_w_inside_d2 <= in_w_inside_d1;
     end if;
   end process clock_3;
-  row_turned_unit_m_0_each : for i in 0 to 2 generate
-    row_turned_unit_m(0)(i) <= pose_m0_inside_d1(i);
-    row_turned_unit_m(1)(i) <= pose_m1_inside_d1(i);
-    row_turned_unit_m(2)(i) <= pose_m2_inside_d1(i);
-    row_turned_unit_m(3)(i) <= pose_m0_inside_d1(i);
-    row_turned_unit_m(4)(i) <= pose_m1_inside_d1(i);
-    row_turned_unit_m(5)(i) <= pose_m2_inside_d1(i);
-    row_turned_unit_m(6)(i) <= pose_m0_inside_d1(i);
-    row_turned_unit_m(7)(i) <= pose_m1_inside_d1(i);
-    row_turned_unit_m(8)(i) <= pose_m2_inside_d1(i);
-    row_turned_unit_w(0)(i) <= in_w0_inside_d2(i);
-    row_turned_unit_w(1)(i) <= in_w0_inside_d2(i);
-    row_turned_unit_w(2)(i) <= in_w0_inside_d2(i);
-    row_turned_unit_w(3)(i) <= in_w1_inside_d2(i);
-    row_turned_unit_w(4)(i) <= in_w1_inside_d2(i);
-    row_turned_unit_w(5)(i) <= in_w1_inside_d2(i);
-    row_turned_unit_w(6)(i) <= in_w2_inside_d2(i);
-    row_turned_unit_w(7)(i) <= in_w2_inside_d2(i);
-    row_turned_unit_w(8)(i) <= in_w2_inside_d2(i);
-  end generate row_turned_unit_m_0_each;
+  row_turned_unit_m_each_of : for k in 0 to 8 generate
+    row_turned_unit_m_each : for i in 0 to 2 generate
+      row_turned_unit_m(k)(i) <= pose_m_inside_d1(k mod 3)(i);
+    end generate row_turned_unit_m_each;
+  end generate row_turned_unit_m_each_of;
+  row_turned_unit_w_each_of : for k in 0 to 2 generate
+    row_turned_unit_w_each : for i in 0 to 2 generate
+      row_turned_unit_w(k)(i) <= in_w_inside_d2(0)(i);
+    end generate row_turned_unit_w_each;
+  end generate row_turned_unit_w_each_of;
+  row_turned_unit_w_each_of_2 : for k in 3 to 5 generate
+    row_turned_unit_w_each_2 : for i in 0 to 2 generate
+      row_turned_unit_w(k)(i) <= in_w_inside_d2(1)(i);
+    end generate row_turned_unit_w_each_2;
+  end generate row_turned_unit_w_each_of_2;
+  row_turned_unit_w_each_of_3 : for k in 6 to 8 generate
+    row_turned_unit_w_each_3 : for i in 0 to 2 generate
+      row_turned_unit_w(k)(i) <= in_w_inside_d2(2)(i);
+    end generate row_turned_unit_w_each_3;
+  end generate row_turned_unit_w_each_of_3;
   row_turned_unit : for k in 0 to 8 generate
     unit : entity work.difference_row
       port map (clk => clk, m => row_turned_unit_m(k), w => row_turned_unit_w(k), turned => row_turned(k));
@@ -664,15 +442,15 @@ begin
   clock_8 : process (clk)
   begin
     if rising_edge(clk) then
-      row_choice_d1(0) <= choose(pose_bypass_line(7), in_w0_inside_line(4)(0), row_turned(0));
-      row_choice_d1(1) <= choose(pose_bypass_line(7), in_w0_inside_line(4)(1), row_turned(1));
-      row_choice_d1(2) <= choose(pose_bypass_line(7), in_w0_inside_line(4)(2), row_turned(2));
-      row_choice_d1(3) <= choose(pose_bypass_line(7), in_w1_inside_line(4)(0), row_turned(3));
-      row_choice_d1(4) <= choose(pose_bypass_line(7), in_w1_inside_line(4)(1), row_turned(4));
-      row_choice_d1(5) <= choose(pose_bypass_line(7), in_w1_inside_line(4)(2), row_turned(5));
-      row_choice_d1(6) <= choose(pose_bypass_line(7), in_w2_inside_line(4)(0), row_turned(6));
-      row_choice_d1(7) <= choose(pose_bypass_line(7), in_w2_inside_line(4)(1), row_turned(7));
-      row_choice_d1(8) <= choose(pose_bypass_line(7), in_w2_inside_line(4)(2), row_turned(8));
+      row_choice_d1(0) <= choose(pose_bypass_line(7), in_w_inside_line(4)(0)(0), row_turned(0));
+      row_choice_d1(1) <= choose(pose_bypass_line(7), in_w_inside_line(4)(0)(1), row_turned(1));
+      row_choice_d1(2) <= choose(pose_bypass_line(7), in_w_inside_line(4)(0)(2), row_turned(2));
+      row_choice_d1(3) <= choose(pose_bypass_line(7), in_w_inside_line(4)(1)(0), row_turned(3));
+      row_choice_d1(4) <= choose(pose_bypass_line(7), in_w_inside_line(4)(1)(1), row_turned(4));
+      row_choice_d1(5) <= choose(pose_bypass_line(7), in_w_inside_line(4)(1)(2), row_turned(5));
+      row_choice_d1(6) <= choose(pose_bypass_line(7), in_w_inside_line(4)(2)(0), row_turned(6));
+      row_choice_d1(7) <= choose(pose_bypass_line(7), in_w_inside_line(4)(2)(1), row_turned(7));
+      row_choice_d1(8) <= choose(pose_bypass_line(7), in_w_inside_line(4)(2)(2), row_turned(8));
     end if;
   end process clock_8;
   row_each : for k in 0 to 8 generate
@@ -780,77 +558,47 @@ begin
       coordinate_v1_d1 <= coordinate_v1;
       coordinate_v2_d1 <= coordinate_v2;
       for i in 0 to 2 loop
-        norm_x0_resized_d1(i) <= resize(coordinate_v1(i), 19);
-        norm_x1_resized_d1(i) <= resize(coordinate_v2(i), 19);
-        norm_x3_resized_d1(i) <= resize(coordinate_w0(i), 19);
-        norm_x4_resized_d1(i) <= resize(coordinate_w1(i), 19);
-        norm_x5_resized_d1(i) <= resize(coordinate_w2(i), 19);
+        norm_x_0_to_1_resized_d1(0)(i) <= resize(coordinate_v1(i), 19);
+        norm_x_0_to_1_resized_d1(1)(i) <= resize(coordinate_v2(i), 19);
+        norm_x_resized_d1(3)(i) <= resize(coordinate_w0(i), 19);
+        norm_x_resized_d1(4)(i) <= resize(coordinate_w1(i), 19);
+        norm_x_resized_d1(5)(i) <= resize(coordinate_w2(i), 19);
       end loop;
     end if;
   end process clock_15;
   level <= axis_level2_h1 when less(level_less_resized_first_h1, level_less_resized_second_h1) = '1' else
       axis_level0_resized_less_choice_h1;
-  moment_lane_cut_unit_plus(0)(0) <= coordinate_w0_d1(1);
-  moment_lane_cut_unit_plus(0)(1) <= coordinate_w1_d1(2);
-  moment_lane_cut_unit_plus(1)(0) <= coordinate_w0_d1(2);
-  moment_lane_cut_unit_plus(1)(1) <= coordinate_w1_d1(0);
-  moment_lane_cut_unit_plus(2)(0) <= coordinate_w0_d1(0);
-  moment_lane_cut_unit_plus(2)(1) <= coordinate_w1_d1(1);
-  moment_lane_cut_unit_plus(3)(0) <= coordinate_w1_d1(1);
-  moment_lane_cut_unit_plus(3)(1) <= coordinate_w2_d1(2);
-  moment_lane_cut_unit_plus(4)(0) <= coordinate_w1_d1(2);
-  moment_lane_cut_unit_plus(4)(1) <= coordinate_w2_d1(0);
-  moment_lane_cut_unit_plus(5)(0) <= coordinate_w1_d1(0);
-  moment_lane_cut_unit_plus(5)(1) <= coordinate_w2_d1(1);
-  moment_lane_cut_unit_plus(6)(0) <= coordinate_w2_d1(1);
-  moment_lane_cut_unit_plus(6)(1) <= coordinate_w0_d1(2);
-  moment_lane_cut_unit_plus(7)(0) <= coordinate_w2_d1(2);
-  moment_lane_cut_unit_plus(7)(1) <= coordinate_w0_d1(0);
-  moment_lane_cut_unit_plus(8)(0) <= coordinate_w2_d1(0);
-  moment_lane_cut_unit_plus(8)(1) <= coordinate_w0_d1(1);
-  moment_lane_cut_unit_plus(9)(0) <= coordinate_v1_d1(1);
-  moment_lane_cut_unit_plus(9)(1) <= coordinate_v2_d1(2);
-  moment_lane_cut_unit_plus(10)(0) <= coordinate_v1_d1(2);
-  moment_lane_cut_unit_plus(10)(1) <= coordinate_v2_d1(0);
-  moment_lane_cut_unit_plus(11)(0) <= coordinate_v1_d1(0);
-  moment_lane_cut_unit_plus(11)(1) <= coordinate_v2_d1(1);
-  moment_lane_cut_unit_minus(0)(0) <= coordinate_w0_d1(2);
-  moment_lane_cut_unit_minus(0)(1) <= coordinate_w1_d1(1);
-  moment_lane_cut_unit_minus(1)(0) <= coordinate_w0_d1(0);
-  moment_lane_cut_unit_minus(1)(1) <= coordinate_w1_d1(2);
-  moment_lane_cut_unit_minus(2)(0) <= coordinate_w0_d1(1);
-  moment_lane_cut_unit_minus(2)(1) <= coordinate_w1_d1(0);
-  moment_lane_cut_unit_minus(3)(0) <= coordinate_w1_d1(2);
-  moment_lane_cut_unit_minus(3)(1) <= coordinate_w2_d1(1);
-  moment_lane_cut_unit_minus(4)(0) <= coordinate_w1_d1(0);
-  moment_lane_cut_unit_minus(4)(1) <= coordinate_w2_d1(2);
-  moment_lane_cut_unit_minus(5)(0) <= coordinate_w1_d1(1);
-  moment_lane_cut_unit_minus(5)(1) <= coordinate_w2_d1(0);
-  moment_lane_cut_unit_minus(6)(0) <= coordinate_w2_d1(2);
-  moment_lane_cut_unit_minus(6)(1) <= coordinate_w0_d1(1);
-  moment_lane_cut_unit_minus(7)(0) <= coordinate_w2_d1(0);
-  moment_lane_cut_unit_minus(7)(1) <= coordinate_w0_d1(2);
-  moment_lane_cut_unit_minus(8)(0) <= coordinate_w2_d1(1);
-  moment_lane_cut_unit_minus(8)(1) <= coordinate_w0_d1(0);
-  moment_lane_cut_unit_minus(9)(0) <= coordinate_v1_d1(2);
-  moment_lane_cut_unit_minus(9)(1) <= coordinate_v2_d1(1);
-  moment_lane_cut_unit_minus(10)(0) <= coordinate_v1_d1(0);
-  moment_lane_cut_unit_minus(10)(1) <= coordinate_v2_d1(2);
-  moment_lane_cut_unit_minus(11)(0) <= coordinate_v1_d1(1);
-  moment_lane_cut_unit_minus(11)(1) <= coordinate_v2_d1(0);
-  norm_lane_unit_x(0) <= norm_x0_resized_d1;
-  norm_lane_unit_x(1) <= norm_x1_resized_d1;
+  moment_lane_cut_unit_plus_0_each : for k in 0 to 2 generate
+    moment_lane_cut_unit_plus(k)(0) <= coordinate_w0_d1((k + 1) mod 3);
+    moment_lane_cut_unit_plus(k)(1) <= coordinate_w1_d1((k + 2) mod 3);
+    moment_lane_cut_unit_plus(k + 3)(0) <= coordinate_w1_d1((k + 1) mod 3);
+    moment_lane_cut_unit_plus(k + 3)(1) <= coordinate_w2_d1((k + 2) mod 3);
+    moment_lane_cut_unit_plus(k + 6)(0) <= coordinate_w2_d1((k + 1) mod 3);
+    moment_lane_cut_unit_plus(k + 6)(1) <= coordinate_w0_d1((k + 2) mod 3);
+    moment_lane_cut_unit_plus(k + 9)(0) <= coordinate_v1_d1((k + 1) mod 3);
+    moment_lane_cut_unit_plus(k + 9)(1) <= coordinate_v2_d1((k + 2) mod 3);
+    moment_lane_cut_unit_minus(k)(0) <= coordinate_w0_d1((k + 2) mod 3);
+    moment_lane_cut_unit_minus(k)(1) <= coordinate_w1_d1((k + 1) mod 3);
+    moment_lane_cut_unit_minus(k + 3)(0) <= coordinate_w1_d1((k + 2) mod 3);
+    moment_lane_cut_unit_minus(k + 3)(1) <= coordinate_w2_d1((k + 1) mod 3);
+    moment_lane_cut_unit_minus(k + 6)(0) <= coordinate_w2_d1((k + 2) mod 3);
+    moment_lane_cut_unit_minus(k + 6)(1) <= coordinate_w0_d1((k + 1) mod 3);
+    moment_lane_cut_unit_minus(k + 9)(0) <= coordinate_v1_d1((k + 2) mod 3);
+    moment_lane_cut_unit_minus(k + 9)(1) <= coordinate_v2_d1((k + 1) mod 3);
+  end generate moment_lane_cut_unit_plus_0_each;
+  norm_lane_unit_x(0) <= norm_x_0_to_1_resized_d1(0);
+  norm_lane_unit_x(1) <= norm_x_0_to_1_resized_d1(1);
   norm_lane_unit_x(2) <= e_a1_d1;
-  norm_lane_unit_x(3) <= norm_x3_resized_d1;
-  norm_lane_unit_x(4) <= norm_x4_resized_d1;
-  norm_lane_unit_x(5) <= norm_x5_resized_d1;
+  norm_lane_unit_x(3) <= norm_x_resized_d1(3);
+  norm_lane_unit_x(4) <= norm_x_resized_d1(4);
+  norm_lane_unit_x(5) <= norm_x_resized_d1(5);
   norm_lane_unit_x(6) <= e_b_d1(0);
   norm_lane_unit_x(7) <= e_b_d1(1);
   norm_lane_unit_x(8) <= e_b_d1(2);
   moment_lane_cut_unit : for k in 0 to 11 generate
     unit : entity work.moment_component
       port map (clk => clk, plus => moment_lane_cut_unit_plus(k), minus => moment_lane_cut_unit_minus(k),
-                cut => moment_lane_cut(k), too_great => moment_too_great(k)(0));
+                cut => moment_lane_cut(k), too_great => moment_too_great0(k));
   end generate moment_lane_cut_unit;
   norm_lane_unit : for k in 0 to 8 generate
     unit : entity work.vector_norm
@@ -898,11 +646,7 @@ begin
   end process clock_17;
 
   -- Clock 18
-  too_great_0_found <= or_reduce(unsigned(moment_too_great(11)) & unsigned(moment_too_great(10)) &
-      unsigned(moment_too_great(9)) & unsigned(moment_too_great(8)) & unsigned(moment_too_great(7)) &
-      unsigned(moment_too_great(6)) & unsigned(moment_too_great(5)) & unsigned(moment_too_great(4)) &
-      unsigned(moment_too_great(3)) & unsigned(moment_too_great(2)) & unsigned(moment_too_great(1)) &
-      unsigned(moment_too_great(0)));
+  too_great_0_found <= or_reduce(unsigned(moment_too_great0));
   rest_of_level <=
     to_unsigned(64, 15) when known(level_line(3)) = 0 else
     to_unsigned(64, 15) when known(level_line(3)) = 1 else
@@ -919,10 +663,10 @@ begin
     if rising_edge(clk) then
       moment_cut <= moment_lane_cut;
       places_captured <= too_great_0_found;
-      length_measure8 <= norm_lane(2);
-      length_measure5 <= norm_lane(6);
-      length_measure6 <= norm_lane(7);
-      length_measure7 <= norm_lane(8);
+      length_measure(5) <= norm_lane(6);
+      length_measure(6) <= norm_lane(7);
+      length_measure(7) <= norm_lane(8);
+      length_measure(8) <= norm_lane(2);
       rest_aligned_second_h1 <= append(rest_of_level_aligned, 1);
       rest_of_level_aligned_h1 <= rest_of_level_aligned;
       level_d4 <= level_line(3);
@@ -931,15 +675,13 @@ begin
   end process clock_19;
   places <= '1' when places_captured = '1' else '0';
   rest <= resize(rest_of_level_aligned_h1, 17) when places = '1' else rest_aligned_second_h1;
-  length_times_g(0) <= resize(length_measure0_line(3), 22) when places = '1' else append(length_measure0_line(3), 1);
-  length_times_g(1) <= resize(length_measure1_line(3), 22) when places = '1' else append(length_measure1_line(3), 1);
-  length_times_g(2) <= resize(length_measure2_line(3), 22) when places = '1' else append(length_measure2_line(3), 1);
-  length_times_g(3) <= resize(length_measure3_line(3), 22) when places = '1' else append(length_measure3_line(3), 1);
-  length_times_g(4) <= resize(length_measure4_line(3), 22) when places = '1' else append(length_measure4_line(3), 1);
-  length_times_g(5) <= resize(length_measure5, 22) when places = '1' else append(length_measure5, 1);
-  length_times_g(6) <= resize(length_measure6, 22) when places = '1' else append(length_measure6, 1);
-  length_times_g(7) <= resize(length_measure7, 22) when places = '1' else append(length_measure7, 1);
-  length_times_g(8) <= resize(length_measure8, 22) when places = '1' else append(length_measure8, 1);
+  length_times_g_each : for k in 0 to 4 generate
+    length_times_g(k) <= resize(length_measure_line(3)(k), 22) when places = '1' else
+        append(length_measure_line(3)(k), 1);
+  end generate length_times_g_each;
+  length_times_g_each_2 : for k in 5 to 8 generate
+    length_times_g(k) <= resize(length_measure(k), 22) when places = '1' else append(length_measure(k), 1);
+  end generate length_times_g_each_2;
   boxes_apart <= or_reduce(unsigned(boxes_apart_along));
   separated_i(0) <= boxes_apart and separated0_not_line(17);
   moment_lane_unit_cut_0_each : for i in 0 to 2 generate
@@ -961,15 +703,8 @@ begin
       moment_m1 <= moment_lane(1);
       moment_m2 <= moment_lane(2);
       moment_n <= moment_lane(3);
-      length_measure0_h3 <= length_measure0_line(3);
-      length_measure1_h3 <= length_measure1_line(3);
-      length_measure2_h3 <= length_measure2_line(3);
-      length_measure3_h3 <= length_measure3_line(3);
-      length_measure4_h3 <= length_measure4_line(3);
-      length_measure8_h1 <= length_measure8;
-      length_measure5_h1 <= length_measure5;
-      length_measure6_h1 <= length_measure6;
-      length_measure7_h1 <= length_measure7;
+      length_measure_h3 <= length_measure_line(3);
+      length_measure_h1 <= length_measure;
       rest_h1 <= rest;
       length_times_g_d1 <= length_times_g;
       level_d5 <= level_d4;
@@ -1016,15 +751,8 @@ begin
   clock_21 : process (clk)
   begin
     if rising_edge(clk) then
-      length_measure8_h2 <= length_measure8_h1;
-      length_measure5_h2 <= length_measure5_h1;
-      length_measure6_h2 <= length_measure6_h1;
-      length_measure7_h2 <= length_measure7_h1;
-      length_measure0_h4 <= length_measure0_h3;
-      length_measure1_h4 <= length_measure1_h3;
-      length_measure2_h4 <= length_measure2_h3;
-      length_measure3_h4 <= length_measure3_h3;
-      length_measure4_h4 <= length_measure4_h3;
+      length_measure_5_to_8_h2 <= length_measure_h1;
+      length_measure_h4 <= length_measure_h3;
       rest_h2 <= rest_h1;
       length_bound <= length_first;
       level_d6 <= level_d5;
@@ -1037,15 +765,12 @@ begin
       face_of_vertex(k)(m) <= length_bound(k) when face_of_vertex_negative_difference(k)(m)(29) = '1' else
           length_bound(m + 2);
     end generate face_of_vertex_negative_difference_each;
+    length_measure0_plane_a0_unit_v(k) <= length_measure_h4(k);
   end generate face_of_vertex_negative_difference_each_of;
-  length_measure0_plane_a0_unit_v(0) <= length_measure0_h4;
-  length_measure0_plane_a0_unit_v(1) <= length_measure1_h4;
-  length_measure0_plane_a0_unit_w(0) <= length_measure2_h4;
-  length_measure0_plane_a0_unit_w(1) <= length_measure3_h4;
-  length_measure0_plane_a0_unit_w(2) <= length_measure4_h4;
-  length_measure0_plane_a0_unit_b(0) <= length_measure5_h2;
-  length_measure0_plane_a0_unit_b(1) <= length_measure6_h2;
-  length_measure0_plane_a0_unit_b(2) <= length_measure7_h2;
+  length_measure0_plane_a0_unit_w_each : for k in 0 to 2 generate
+    length_measure0_plane_a0_unit_w(k) <= length_measure_h4(k + 2);
+    length_measure0_plane_a0_unit_b(k) <= length_measure_5_to_8_h2(k + 5);
+  end generate length_measure0_plane_a0_unit_w_each;
   length_measure0_plane_a0 <= length_measure0_plane_a0_unit_plane_a(0);
   bound_plane_a1_sum_first_result <= length_measure0_plane_a0_unit_plane_a(1);
   bound_plane_a2_sum_first_result <= length_measure0_plane_a0_unit_plane_a(2);
@@ -1057,7 +782,7 @@ begin
   bound_side11_result <= length_measure0_plane_a0_unit_middle(1);
   bound_side12_result <= length_measure0_plane_a0_unit_middle(2);
   length_measure0_plane_a0_unit : entity work.bound_tails
-    port map (clk => clk, v => length_measure0_plane_a0_unit_v, a => length_measure8_h2,
+    port map (clk => clk, v => length_measure0_plane_a0_unit_v, a => length_measure_5_to_8_h2(8),
               w => length_measure0_plane_a0_unit_w, b => length_measure0_plane_a0_unit_b, rest => rest_h2,
               plane_a => length_measure0_plane_a0_unit_plane_a, plane_b => length_measure0_plane_a0_unit_plane_b,
               ends => length_measure0_plane_a0_unit_ends, middle => length_measure0_plane_a0_unit_middle);
@@ -1166,9 +891,9 @@ begin
   compared_unit_d(1)(0) <= determinant_side20;
   compared_unit_d(1)(1) <= determinant_side21;
   compared_unit_d(1)(2) <= determinant_side22;
-  compared_each : for k in 0 to 1 generate
+  compared_from_4_each : for k in 0 to 1 generate
     compared(k + 4) <= compared_unit_plane_b(k);
-  end generate compared_each;
+  end generate compared_from_4_each;
   determinant_side00 <= compared_unit_side0(0);
   determinant_side01 <= compared_unit_side0(1);
   determinant_side02 <= compared_unit_side0(2);
@@ -1197,19 +922,18 @@ begin
       bound_side12_sum_h1 <= resize(resize(append(moment_bound(2), 1), 31) +
           resize(bound_side12_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
       bound_side12_result_h2 <= bound_side12_result_h1;
-      compared0_h1 <= compared(0);
-      compared1_h1 <= compared(1);
-      compared2_h1 <= compared(2);
-      compared3_h1 <= compared(3);
-      compared12_h1 <= compared(12);
-      compared13_h1 <= compared(13);
-      compared14_h1 <= compared(14);
-      compared_bound0_h1 <= compared_bound(0);
-      compared_bound1_h1 <= compared_bound(1);
-      compared_bound2_h1 <= compared_bound(2);
-      compared_bound12_h1 <= compared_bound(12);
-      compared_bound13_h1 <= compared_bound(13);
-      compared_bound14_h1 <= compared_bound(14);
+      for k in 0 to 3 loop
+        compared_0_to_3_h1(k) <= compared(k);
+      end loop;
+      for k in 12 to 14 loop
+        compared_12_to_14_h1(k) <= compared(k);
+      end loop;
+      for k in 0 to 2 loop
+        compared_bound_h1(k) <= compared_bound(k);
+      end loop;
+      for k in 12 to 14 loop
+        compared_bound_12_to_14_h1(k) <= compared_bound(k);
+      end loop;
     end if;
   end process clock_24;
   bound_corner <= resize(bound_corner_aligned_h1, 32) + resize(bound_corner_sum_line(3), 32);
@@ -1225,44 +949,48 @@ begin
   compared_bound(9) <= signed(resize(bound_side10(32 downto 3), 31));
   compared_bound(10) <= signed(resize(bound_side11(32 downto 3), 31));
   compared_bound(11) <= signed(resize(bound_side12(32 downto 3), 31));
-  compared0_sign0 <= compared0_sign0_unit_sign(0);
-  compared0_sign1 <= compared0_sign0_unit_sign(1);
-  compared1_sign0 <= compared1_sign0_unit_sign(0);
-  compared1_sign1 <= compared1_sign0_unit_sign(1);
-  compared2_sign0 <= compared2_sign0_unit_sign(0);
-  compared2_sign1 <= compared2_sign0_unit_sign(1);
-  compared12_sign0 <= compared12_sign0_unit_sign(0);
-  compared12_sign1 <= compared12_sign0_unit_sign(1);
-  compared13_sign0 <= compared13_sign0_unit_sign(0);
-  compared13_sign1 <= compared13_sign0_unit_sign(1);
-  compared14_sign0 <= compared14_sign0_unit_sign(0);
-  compared14_sign1 <= compared14_sign0_unit_sign(1);
-  compared0_sign0_unit : entity work.certain_sign
-    port map (x => compared0_h1, bound => compared_bound0_h1, sign => compared0_sign0_unit_sign);
-  compared1_sign0_unit : entity work.certain_sign
-    port map (x => compared1_h1, bound => compared_bound1_h1, sign => compared1_sign0_unit_sign);
-  compared2_sign0_unit : entity work.certain_sign
-    port map (x => compared2_h1, bound => compared_bound2_h1, sign => compared2_sign0_unit_sign);
-  compared12_sign0_unit : entity work.certain_sign
-    port map (x => compared12_h1, bound => compared_bound12_h1, sign => compared12_sign0_unit_sign);
-  compared13_sign0_unit : entity work.certain_sign
-    port map (x => compared13_h1, bound => compared_bound13_h1, sign => compared13_sign0_unit_sign);
-  compared14_sign0_unit : entity work.certain_sign
-    port map (x => compared14_h1, bound => compared_bound14_h1, sign => compared14_sign0_unit_sign);
+  sign_unit_x(0) <= compared_0_to_3_h1(0);
+  sign_unit_x(1) <= compared_0_to_3_h1(1);
+  sign_unit_x(2) <= compared_0_to_3_h1(2);
+  sign_unit_x(3) <= compared3_h2;
+  sign_unit_x_each : for k in 4 to 11 generate
+    sign_unit_x(k) <= compared_h1(k);
+  end generate sign_unit_x_each;
+  sign_unit_x(12) <= compared_12_to_14_h1(12);
+  sign_unit_x(13) <= compared_12_to_14_h1(13);
+  sign_unit_x(14) <= compared_12_to_14_h1(14);
+  sign_unit_bound(0) <= compared_bound_h1(0);
+  sign_unit_bound(1) <= compared_bound_h1(1);
+  sign_unit_bound(2) <= compared_bound_h1(2);
+  sign_unit_bound(3) <= compared_bound_3_to_5_h1(3);
+  sign_unit_bound(4) <= compared_bound_4_to_5_h2(4);
+  sign_unit_bound(5) <= compared_bound_4_to_5_h2(5);
+  sign_unit_bound(6) <= compared_bound_line(3)(6);
+  sign_unit_bound(7) <= compared_bound_line(3)(7);
+  sign_unit_bound(8) <= compared_bound_line(3)(8);
+  sign_unit_bound(9) <= compared_bound_h2(9);
+  sign_unit_bound(10) <= compared_bound_h2(10);
+  sign_unit_bound(11) <= compared_bound_h2(11);
+  sign_unit_bound(12) <= compared_bound_12_to_14_h1(12);
+  sign_unit_bound(13) <= compared_bound_12_to_14_h1(13);
+  sign_unit_bound(14) <= compared_bound_12_to_14_h1(14);
+  sign_unit : for k in 0 to 14 generate
+    unit : entity work.certain_sign
+      port map (x => sign_unit_x(k), bound => sign_unit_bound(k), sign => sign(k));
+  end generate sign_unit;
 
   -- Clock 25
   clock_25 : process (clk)
   begin
     if rising_edge(clk) then
-      compared_bound3_h1 <= compared_bound(3);
-      compared_bound4_h1 <= compared_bound(4);
-      compared_bound5_h1 <= compared_bound(5);
-      compared_bound9_h1 <= compared_bound(9);
-      compared_bound10_h1 <= compared_bound(10);
-      compared_bound11_h1 <= compared_bound(11);
-      compared3_h2 <= compared3_h1;
-      separated1_or_h1 <= (compared0_sign0 and compared1_sign0 and compared2_sign0) or
-          (compared0_sign1 and compared1_sign1 and compared2_sign1);
+      for k in 3 to 5 loop
+        compared_bound_3_to_5_h1(k) <= compared_bound(k);
+      end loop;
+      for k in 9 to 11 loop
+        compared_bound_9_to_11_h1(k) <= compared_bound(k);
+      end loop;
+      compared3_h2 <= compared_0_to_3_h1(3);
+      separated1_or_h1 <= (sign(0)(0) and sign(1)(0) and sign(2)(0)) or (sign(0)(1) and sign(1)(1) and sign(2)(1));
     end if;
   end process clock_25;
   compared(6) <= resize(determinant_side00, 41);
@@ -1272,220 +1000,89 @@ begin
   compared(10) <= resize(determinant_side11, 41);
   compared(11) <= resize(determinant_side12, 41);
   separated_i(1) <= separated1_or_h1 and separated1_not_line(23);
-  compared3_sign0 <= compared3_sign0_unit_sign(0);
-  compared3_sign1 <= compared3_sign0_unit_sign(1);
-  compared3_sign0_unit : entity work.certain_sign
-    port map (x => compared3_h2, bound => compared_bound3_h1, sign => compared3_sign0_unit_sign);
 
   -- Clock 26
   clock_26 : process (clk)
   begin
     if rising_edge(clk) then
-      compared4_h1 <= compared(4);
-      compared5_h1 <= compared(5);
-      compared6_h1 <= compared(6);
-      compared7_h1 <= compared(7);
-      compared8_h1 <= compared(8);
-      compared9_h1 <= compared(9);
-      compared10_h1 <= compared(10);
-      compared11_h1 <= compared(11);
-      compared_bound4_h2 <= compared_bound4_h1;
-      compared_bound5_h2 <= compared_bound5_h1;
-      compared_bound9_h2 <= compared_bound9_h1;
-      compared_bound10_h2 <= compared_bound10_h1;
-      compared_bound11_h2 <= compared_bound11_h1;
-      compared3_sign0_h1 <= compared3_sign0;
-      compared3_sign1_h1 <= compared3_sign1;
+      for k in 4 to 11 loop
+        compared_h1(k) <= compared(k);
+      end loop;
+      for k in 4 to 5 loop
+        compared_bound_4_to_5_h2(k) <= compared_bound_3_to_5_h1(k);
+      end loop;
+      compared_bound_h2 <= compared_bound_9_to_11_h1;
+      sign3_h1 <= sign(3);
     end if;
   end process clock_26;
-  compared4_sign0 <= compared4_sign0_unit_sign(0);
-  compared4_sign1 <= compared4_sign0_unit_sign(1);
-  compared5_sign0 <= compared5_sign0_unit_sign(0);
-  compared5_sign1 <= compared5_sign0_unit_sign(1);
-  compared6_sign0 <= compared6_sign0_unit_sign(0);
-  compared6_sign1 <= compared6_sign0_unit_sign(1);
-  compared7_sign0 <= compared7_sign0_unit_sign(0);
-  compared7_sign1 <= compared7_sign0_unit_sign(1);
-  compared8_sign0 <= compared8_sign0_unit_sign(0);
-  compared8_sign1 <= compared8_sign0_unit_sign(1);
-  compared9_sign0 <= compared9_sign0_unit_sign(0);
-  compared9_sign1 <= compared9_sign0_unit_sign(1);
-  compared10_sign0 <= compared10_sign0_unit_sign(0);
-  compared10_sign1 <= compared10_sign0_unit_sign(1);
-  compared11_sign0 <= compared11_sign0_unit_sign(0);
-  compared11_sign1 <= compared11_sign0_unit_sign(1);
-  compared4_sign0_unit : entity work.certain_sign
-    port map (x => compared4_h1, bound => compared_bound4_h2, sign => compared4_sign0_unit_sign);
-  compared5_sign0_unit : entity work.certain_sign
-    port map (x => compared5_h1, bound => compared_bound5_h2, sign => compared5_sign0_unit_sign);
-  compared6_sign0_unit : entity work.certain_sign
-    port map (x => compared6_h1, bound => compared_bound6_line(3), sign => compared6_sign0_unit_sign);
-  compared7_sign0_unit : entity work.certain_sign
-    port map (x => compared7_h1, bound => compared_bound7_line(3), sign => compared7_sign0_unit_sign);
-  compared8_sign0_unit : entity work.certain_sign
-    port map (x => compared8_h1, bound => compared_bound8_line(3), sign => compared8_sign0_unit_sign);
-  compared9_sign0_unit : entity work.certain_sign
-    port map (x => compared9_h1, bound => compared_bound9_h2, sign => compared9_sign0_unit_sign);
-  compared10_sign0_unit : entity work.certain_sign
-    port map (x => compared10_h1, bound => compared_bound10_h2, sign => compared10_sign0_unit_sign);
-  compared11_sign0_unit : entity work.certain_sign
-    port map (x => compared11_h1, bound => compared_bound11_h2, sign => compared11_sign0_unit_sign);
 
   -- Clock 27
   clock_27 : process (clk)
   begin
     if rising_edge(clk) then
-      compared3_sign0_h2 <= compared3_sign0_h1;
-      compared3_sign1_h2 <= compared3_sign1_h1;
-      compared4_sign0_h1 <= compared4_sign0;
-      compared4_sign1_h1 <= compared4_sign1;
-      compared6_sign0_h1 <= compared6_sign0;
-      compared6_sign1_h1 <= compared6_sign1;
-      compared7_sign0_h1 <= compared7_sign0;
-      compared7_sign1_h1 <= compared7_sign1;
-      compared8_sign0_h1 <= compared8_sign0;
-      compared8_sign1_h1 <= compared8_sign1;
-      compared5_sign0_h1 <= compared5_sign0;
-      compared5_sign1_h1 <= compared5_sign1;
-      compared9_sign0_h1 <= compared9_sign0;
-      compared9_sign1_h1 <= compared9_sign1;
-      compared10_sign0_h1 <= compared10_sign0;
-      compared10_sign1_h1 <= compared10_sign1;
-      compared11_sign0_h1 <= compared11_sign0;
-      compared11_sign1_h1 <= compared11_sign1;
-      separated2_or_h1 <= (compared3_sign0_h1 and compared4_sign0 and compared5_sign0) or
-          (compared3_sign1_h1 and compared4_sign1 and compared5_sign1);
+      for k in 4 to 11 loop
+        sign_h1(k) <= sign(k);
+      end loop;
+      sign3_h2 <= sign3_h1;
+      separated2_or_h1 <= (sign3_h1(0) and sign(4)(0) and sign(5)(0)) or (sign3_h1(1) and sign(4)(1) and sign(5)(1));
     end if;
   end process clock_27;
-  separated_i(2) <= separated2_or_h1 and separated2_not_line(25);
-  separated_i(3) <= separated3_result and separated3_not_line(25);
-  separated_i(4) <= separated4_result and separated4_not_line(25);
-  separated_i(5) <= separated5_result and separated5_not_line(25);
-  separated_i(6) <= separated6_result and separated6_not_line(25);
-  separated_i(7) <= separated7_result and separated7_not_line(25);
-  separated_i(8) <= separated8_result and separated8_not_line(25);
-  overlapping_i(3) <= overlapping3_result and overlapping3_not_line(25);
-  overlapping_i(4) <= overlapping4_result and overlapping4_not_line(25);
-  overlapping_i(5) <= overlapping5_result and overlapping5_not_line(25);
-  overlapping_i(6) <= overlapping6_result and overlapping6_not_line(25);
-  overlapping_i(7) <= overlapping7_result and overlapping7_not_line(25);
-  overlapping_i(8) <= overlapping8_result and overlapping8_not_line(25);
-  separated3_result_unit_ends(0)(0) <= compared3_sign0_h2;
-  separated3_result_unit_ends(0)(1) <= compared3_sign1_h2;
-  separated3_result_unit_ends(1)(0) <= compared4_sign0_h1;
-  separated3_result_unit_ends(1)(1) <= compared4_sign1_h1;
-  separated3_result_unit_sides(0)(0) <= compared6_sign0_h1;
-  separated3_result_unit_sides(0)(1) <= compared6_sign1_h1;
-  separated3_result_unit_sides(1)(0) <= compared7_sign0_h1;
-  separated3_result_unit_sides(1)(1) <= compared7_sign1_h1;
-  separated3_result_unit_sides(2)(0) <= compared8_sign0_h1;
-  separated3_result_unit_sides(2)(1) <= compared8_sign1_h1;
-  separated4_result_unit_ends(0)(0) <= compared4_sign0_h1;
-  separated4_result_unit_ends(0)(1) <= compared4_sign1_h1;
-  separated4_result_unit_ends(1)(0) <= compared5_sign0_h1;
-  separated4_result_unit_ends(1)(1) <= compared5_sign1_h1;
-  separated4_result_unit_sides(0)(0) <= compared9_sign0_h1;
-  separated4_result_unit_sides(0)(1) <= compared9_sign1_h1;
-  separated4_result_unit_sides(1)(0) <= compared10_sign0_h1;
-  separated4_result_unit_sides(1)(1) <= compared10_sign1_h1;
-  separated4_result_unit_sides(2)(0) <= compared11_sign0_h1;
-  separated4_result_unit_sides(2)(1) <= compared11_sign1_h1;
-  separated5_result_unit_ends(0)(0) <= compared5_sign0_h1;
-  separated5_result_unit_ends(0)(1) <= compared5_sign1_h1;
-  separated5_result_unit_ends(1)(0) <= compared3_sign0_h2;
-  separated5_result_unit_ends(1)(1) <= compared3_sign1_h2;
-  separated5_result_unit_sides(0)(0) <= compared12_sign0_line(3);
-  separated5_result_unit_sides(0)(1) <= compared12_sign1_line(3);
-  separated5_result_unit_sides(1)(0) <= compared13_sign0_line(3);
-  separated5_result_unit_sides(1)(1) <= compared13_sign1_line(3);
-  separated5_result_unit_sides(2)(0) <= compared14_sign0_line(3);
-  separated5_result_unit_sides(2)(1) <= compared14_sign1_line(3);
-  separated6_result_unit_ends(0)(0) <= compared0_sign0_line(3);
-  separated6_result_unit_ends(0)(1) <= compared0_sign1_line(3);
-  separated6_result_unit_ends(1)(0) <= compared1_sign0_line(3);
-  separated6_result_unit_ends(1)(1) <= compared1_sign1_line(3);
-  separated6_result_unit_sides(0)(0) <= compared6_sign0_h1;
-  separated6_result_unit_sides(0)(1) <= compared6_sign1_h1;
-  separated6_result_unit_sides(1)(0) <= compared9_sign0_h1;
-  separated6_result_unit_sides(1)(1) <= compared9_sign1_h1;
-  separated6_result_unit_sides(2)(0) <= compared12_sign0_line(3);
-  separated6_result_unit_sides(2)(1) <= compared12_sign1_line(3);
-  separated7_result_unit_ends(0)(0) <= compared1_sign0_line(3);
-  separated7_result_unit_ends(0)(1) <= compared1_sign1_line(3);
-  separated7_result_unit_ends(1)(0) <= compared2_sign0_line(3);
-  separated7_result_unit_ends(1)(1) <= compared2_sign1_line(3);
-  separated7_result_unit_sides(0)(0) <= compared7_sign0_h1;
-  separated7_result_unit_sides(0)(1) <= compared7_sign1_h1;
-  separated7_result_unit_sides(1)(0) <= compared10_sign0_h1;
-  separated7_result_unit_sides(1)(1) <= compared10_sign1_h1;
-  separated7_result_unit_sides(2)(0) <= compared13_sign0_line(3);
-  separated7_result_unit_sides(2)(1) <= compared13_sign1_line(3);
-  separated8_result_unit_ends(0)(0) <= compared2_sign0_line(3);
-  separated8_result_unit_ends(0)(1) <= compared2_sign1_line(3);
-  separated8_result_unit_ends(1)(0) <= compared0_sign0_line(3);
-  separated8_result_unit_ends(1)(1) <= compared0_sign1_line(3);
-  separated8_result_unit_sides(0)(0) <= compared8_sign0_h1;
-  separated8_result_unit_sides(0)(1) <= compared8_sign1_h1;
-  separated8_result_unit_sides(1)(0) <= compared11_sign0_h1;
-  separated8_result_unit_sides(1)(1) <= compared11_sign1_h1;
-  separated8_result_unit_sides(2)(0) <= compared14_sign0_line(3);
-  separated8_result_unit_sides(2)(1) <= compared14_sign1_line(3);
-  separated3_result_unit : entity work.edge_verdict
-    port map (ends => separated3_result_unit_ends, sides => separated3_result_unit_sides, missed => separated3_result,
-              pierces => overlapping3_result);
-  separated4_result_unit : entity work.edge_verdict
-    port map (ends => separated4_result_unit_ends, sides => separated4_result_unit_sides, missed => separated4_result,
-              pierces => overlapping4_result);
-  separated5_result_unit : entity work.edge_verdict
-    port map (ends => separated5_result_unit_ends, sides => separated5_result_unit_sides, missed => separated5_result,
-              pierces => overlapping5_result);
-  separated6_result_unit : entity work.edge_verdict
-    port map (ends => separated6_result_unit_ends, sides => separated6_result_unit_sides, missed => separated6_result,
-              pierces => overlapping6_result);
-  separated7_result_unit : entity work.edge_verdict
-    port map (ends => separated7_result_unit_ends, sides => separated7_result_unit_sides, missed => separated7_result,
-              pierces => overlapping7_result);
-  separated8_result_unit : entity work.edge_verdict
-    port map (ends => separated8_result_unit_ends, sides => separated8_result_unit_sides, missed => separated8_result,
-              pierces => overlapping8_result);
+  separated_i(2) <= separated2_or_h1 and separated_not_line(25)(2);
+  separated_i_each : for k in 3 to 8 generate
+    separated_i(k) <= separated_result(k) and separated_not_line(25)(k);
+    overlapping_i(k) <= overlapping_result(k) and overlapping_not_line(25)(k);
+  end generate separated_i_each;
+  separated_result_unit_ends(3)(0) <= sign3_h2;
+  separated_result_unit_ends(3)(1) <= sign_h1(4);
+  separated_result_unit_ends_4_each : for m in 0 to 1 generate
+    separated_result_unit_ends(4)(m) <= sign_h1(m + 4);
+  end generate separated_result_unit_ends_4_each;
+  separated_result_unit_ends(5)(0) <= sign_h1(5);
+  separated_result_unit_ends(5)(1) <= sign3_h2;
+  separated_result_unit_ends_6_each : for m in 0 to 1 generate
+    separated_result_unit_ends(6)(m) <= sign_line(3)(m);
+    separated_result_unit_ends(7)(m) <= sign_line(3)(m + 1);
+    separated_result_unit_ends(8)(m) <= sign_line(3)((m + 2) mod 3);
+  end generate separated_result_unit_ends_6_each;
+  separated_result_unit_sides_3_each : for m in 0 to 2 generate
+    separated_result_unit_sides(3)(m) <= sign_h1(m + 6);
+    separated_result_unit_sides(4)(m) <= sign_h1(m + 9);
+    separated_result_unit_sides(5)(m) <= sign_12_to_14_line(3)(m + 12);
+  end generate separated_result_unit_sides_3_each;
+  separated_result_unit_sides_0_each : for k in 6 to 8 generate
+    separated_result_unit_sides(k)(0) <= sign_h1(k);
+    separated_result_unit_sides(k)(1) <= sign_h1(k + 3);
+    separated_result_unit_sides(k)(2) <= sign_12_to_14_line(3)(k + 6);
+  end generate separated_result_unit_sides_0_each;
+  separated_result_unit : for k in 3 to 8 generate
+    unit : entity work.edge_verdict
+      port map (ends => separated_result_unit_ends(k), sides => separated_result_unit_sides(k),
+                missed => separated_result(k), pierces => overlapping_result(k));
+  end generate separated_result_unit;
 
   -- Clock 28
   clock_28 : process (clk)
   begin
     if rising_edge(clk) then
-      separated2_h1 <= separated_i(2);
-      separated3_h1 <= separated_i(3);
-      separated4_h1 <= separated_i(4);
-      separated5_h1 <= separated_i(5);
-      separated6_h1 <= separated_i(6);
-      separated7_h1 <= separated_i(7);
-      separated8_h1 <= separated_i(8);
-      overlapping3_h1 <= overlapping_i(3);
-      overlapping4_h1 <= overlapping_i(4);
-      overlapping5_h1 <= overlapping_i(5);
-      overlapping6_h1 <= overlapping_i(6);
-      overlapping7_h1 <= overlapping_i(7);
-      overlapping8_h1 <= overlapping_i(8);
+      for k in 2 to 8 loop
+        separated_h1(k) <= separated_i(k);
+      end loop;
+      for k in 3 to 8 loop
+        overlapping_h1(k) <= overlapping_i(k);
+      end loop;
     end if;
   end process clock_28;
   verdict_unit_separated(0) <= separated0_line(9);
   verdict_unit_separated(1) <= separated1_line(3);
-  verdict_unit_separated(2) <= separated2_h1;
-  verdict_unit_separated(3) <= separated3_h1;
-  verdict_unit_separated(4) <= separated4_h1;
-  verdict_unit_separated(5) <= separated5_h1;
-  verdict_unit_separated(6) <= separated6_h1;
-  verdict_unit_separated(7) <= separated7_h1;
-  verdict_unit_separated(8) <= separated8_h1;
-  verdict_unit_overlapping(0) <= overlapping0_line(26);
-  verdict_unit_overlapping(1) <= overlapping1_line(26);
-  verdict_unit_overlapping(2) <= overlapping2_line(26);
-  verdict_unit_overlapping(3) <= overlapping3_h1;
-  verdict_unit_overlapping(4) <= overlapping4_h1;
-  verdict_unit_overlapping(5) <= overlapping5_h1;
-  verdict_unit_overlapping(6) <= overlapping6_h1;
-  verdict_unit_overlapping(7) <= overlapping7_h1;
-  verdict_unit_overlapping(8) <= overlapping8_h1;
+  verdict_unit_separated_each : for k in 2 to 8 generate
+    verdict_unit_separated(k) <= separated_h1(k);
+  end generate verdict_unit_separated_each;
+  verdict_unit_overlapping(0) <= overlapping_line(26)(0);
+  verdict_unit_overlapping(1) <= overlapping_line(26)(1);
+  verdict_unit_overlapping(2) <= overlapping_line(26)(2);
+  verdict_unit_overlapping_each : for k in 3 to 8 generate
+    verdict_unit_overlapping(k) <= overlapping_h1(k);
+  end generate verdict_unit_overlapping_each;
   verdict_unit : entity work.pair_verdict
     port map (separated => verdict_unit_separated, overlapping => verdict_unit_overlapping, verdict => verdict);
 
@@ -1494,10 +1091,8 @@ begin
   begin
     if rising_edge(clk) then
       pose_bypass_line <= pose_bypass & pose_bypass_line(1 to 6);
-      in_w0_inside_line <= in_w0_inside_d2 & in_w0_inside_line(1 to 3);
+      in_w_inside_line <= in_w_inside_d2 & in_w_inside_line(1 to 3);
       moved_line <= moved & moved_line(1 to 5);
-      in_w1_inside_line <= in_w1_inside_d2 & in_w1_inside_line(1 to 3);
-      in_w2_inside_line <= in_w2_inside_d2 & in_w2_inside_line(1 to 3);
       difference_v1_line <= difference_v1 & difference_v1_line(1 to 7);
       difference_v2_line <= difference_v2 & difference_v2_line(1 to 7);
       difference_v1_d11_line <= difference_v1_line(8) & difference_v1_d11_line(1 to 2);
@@ -1511,48 +1106,42 @@ begin
       coordinate_v2_line <= coordinate_v2_d2 & coordinate_v2_line(1 to 3);
       coordinate_w2_line <= coordinate_w2_d2 & coordinate_w2_line(1 to 3);
       level_line <= level & level_line(1 to 2);
-      length_measure0_line <= norm_lane(0) & length_measure0_line(1 to 2);
-      length_measure1_line <= norm_lane(1) & length_measure1_line(1 to 2);
-      length_measure2_line <= norm_lane(3) & length_measure2_line(1 to 2);
-      length_measure3_line <= norm_lane(4) & length_measure3_line(1 to 2);
-      length_measure4_line <= norm_lane(5) & length_measure4_line(1 to 2);
+      length_measure_line(1)(0) <= norm_lane(0);
+      length_measure_line(1)(1) <= norm_lane(1);
+      length_measure_line(1)(2) <= norm_lane(3);
+      length_measure_line(1)(3) <= norm_lane(4);
+      length_measure_line(1)(4) <= norm_lane(5);
+      length_measure_line(2 to 3) <= length_measure_line(1 to 2);
       bound_corner_sum_line <= (resize(resize(length_bound(5), 30) + resize(length_bound(6), 30), 31) +
           resize(length_bound(7), 31)) & bound_corner_sum_line(1 to 2);
-      compared_bound6_line <= compared_bound(6) & compared_bound6_line(1 to 2);
-      compared_bound7_line <= compared_bound(7) & compared_bound7_line(1 to 2);
-      compared_bound8_line <= compared_bound(8) & compared_bound8_line(1 to 2);
-      compared12_sign0_line <= compared12_sign0 & compared12_sign0_line(1 to 2);
-      compared12_sign1_line <= compared12_sign1 & compared12_sign1_line(1 to 2);
-      compared13_sign0_line <= compared13_sign0 & compared13_sign0_line(1 to 2);
-      compared13_sign1_line <= compared13_sign1 & compared13_sign1_line(1 to 2);
-      compared14_sign0_line <= compared14_sign0 & compared14_sign0_line(1 to 2);
-      compared14_sign1_line <= compared14_sign1 & compared14_sign1_line(1 to 2);
-      compared0_sign0_line <= compared0_sign0 & compared0_sign0_line(1 to 2);
-      compared0_sign1_line <= compared0_sign1 & compared0_sign1_line(1 to 2);
-      compared1_sign0_line <= compared1_sign0 & compared1_sign0_line(1 to 2);
-      compared1_sign1_line <= compared1_sign1 & compared1_sign1_line(1 to 2);
-      compared2_sign0_line <= compared2_sign0 & compared2_sign0_line(1 to 2);
-      compared2_sign1_line <= compared2_sign1 & compared2_sign1_line(1 to 2);
+      for k in 6 to 8 loop
+        compared_bound_line(1)(k) <= compared_bound(k);
+      end loop;
+      compared_bound_line(2 to 3) <= compared_bound_line(1 to 2);
+      for k in 0 to 2 loop
+        sign_line(1)(k) <= sign(k);
+      end loop;
+      sign_line(2 to 3) <= sign_line(1 to 2);
+      for k in 12 to 14 loop
+        sign_12_to_14_line(1)(k) <= sign(k);
+      end loop;
+      sign_12_to_14_line(2 to 3) <= sign_12_to_14_line(1 to 2);
       separated0_not_line <= not outside_i & separated0_not_line(1 to 16);
       separated1_not_line <= not outside_i & separated1_not_line(1 to 22);
-      separated2_not_line <= not outside_i & separated2_not_line(1 to 24);
-      separated3_not_line <= not outside_i & separated3_not_line(1 to 24);
-      separated4_not_line <= not outside_i & separated4_not_line(1 to 24);
-      separated5_not_line <= not outside_i & separated5_not_line(1 to 24);
-      separated6_not_line <= not outside_i & separated6_not_line(1 to 24);
-      separated7_not_line <= not outside_i & separated7_not_line(1 to 24);
-      separated8_not_line <= not outside_i & separated8_not_line(1 to 24);
-      overlapping3_not_line <= not outside_i & overlapping3_not_line(1 to 24);
-      overlapping4_not_line <= not outside_i & overlapping4_not_line(1 to 24);
-      overlapping5_not_line <= not outside_i & overlapping5_not_line(1 to 24);
-      overlapping6_not_line <= not outside_i & overlapping6_not_line(1 to 24);
-      overlapping7_not_line <= not outside_i & overlapping7_not_line(1 to 24);
-      overlapping8_not_line <= not outside_i & overlapping8_not_line(1 to 24);
+      for k in 2 to 8 loop
+        separated_not_line(1)(k) <= not outside_i;
+      end loop;
+      separated_not_line(2 to 25) <= separated_not_line(1 to 24);
+      for k in 3 to 8 loop
+        overlapping_not_line(1)(k) <= not outside_i;
+      end loop;
+      overlapping_not_line(2 to 25) <= overlapping_not_line(1 to 24);
       separated0_line <= separated_i(0) & separated0_line(1 to 8);
       separated1_line <= separated_i(1) & separated1_line(1 to 2);
-      overlapping0_line <= overlapping_i(0) & overlapping0_line(1 to 25);
-      overlapping1_line <= overlapping_i(1) & overlapping1_line(1 to 25);
-      overlapping2_line <= overlapping_i(2) & overlapping2_line(1 to 25);
+      for k in 0 to 2 loop
+        overlapping_line(1)(k) <= overlapping_i(k);
+      end loop;
+      overlapping_line(2 to 26) <= overlapping_line(1 to 25);
       outside_line <= outside_i & outside_line(1 to 25);
     end if;
   end process delays;
@@ -1561,20 +1150,13 @@ begin
   outside <= outside_line(26);
   separated(0) <= separated0_line(9);
   separated(1) <= separated1_line(3);
-  separated(2) <= separated2_h1;
-  separated(3) <= separated3_h1;
-  separated(4) <= separated4_h1;
-  separated(5) <= separated5_h1;
-  separated(6) <= separated6_h1;
-  separated(7) <= separated7_h1;
-  separated(8) <= separated8_h1;
-  overlapping(0) <= overlapping0_line(26);
-  overlapping(1) <= overlapping1_line(26);
-  overlapping(2) <= overlapping2_line(26);
-  overlapping(3) <= overlapping3_h1;
-  overlapping(4) <= overlapping4_h1;
-  overlapping(5) <= overlapping5_h1;
-  overlapping(6) <= overlapping6_h1;
-  overlapping(7) <= overlapping7_h1;
-  overlapping(8) <= overlapping8_h1;
+  separated_each : for k in 2 to 8 generate
+    separated(k) <= separated_h1(k);
+  end generate separated_each;
+  overlapping(0) <= overlapping_line(26)(0);
+  overlapping(1) <= overlapping_line(26)(1);
+  overlapping(2) <= overlapping_line(26)(2);
+  overlapping_each : for k in 3 to 8 generate
+    overlapping(k) <= overlapping_h1(k);
+  end generate overlapping_each;
 end architecture rtl;

@@ -26,12 +26,9 @@ architecture rtl of axis_shift is
   signal magnitudes_y_hi_d1 : unsigned(16 downto 0) := (others => '0');
   signal magnitudes_z_d1 : interval_u17_t := zero_interval_u17;
   signal magnitude : unsigned(16 downto 0);
-  signal magnitude1 : unsigned(16 downto 0);
-  signal magnitude2 : unsigned(16 downto 0);
+  signal magnitude_1_to_2 : unsigned_17_1_to_2_t;
   signal kept : interval_25_vector_t;  -- |.| <= 4194433
-  signal zero1 : std_logic;  -- the top 4 bits of the magnitude are zero
-  signal zero2 : std_logic;  -- the top 2 bits of the magnitude are zero
-  signal zero3 : std_logic;  -- the top 1 bits of the magnitude are zero
+  signal zero : std_logic_vector(3 downto 1);
   signal kept_d1 : interval_25_vector_t := zero_interval_25_vector;  -- |.| <= 4194433
   signal shifted1 : interval_25_vector_t;  -- |.| <= 16777216
   signal shifted2 : interval_21_vector_t;  -- |.| <= 1048576
@@ -67,33 +64,33 @@ begin
     end if;
   end process clock_1;
   magnitude <= magnitude_or_or_or_d1 or magnitudes_y_hi_d1 or magnitudes_z_d1.lo or magnitudes_z_d1.hi;
-  magnitude1 <= shift_left(magnitude, 4) when zero1 = '1' else magnitude;
-  zero1 <= not or_reduce(magnitude(16 downto 13));
+  magnitude_1_to_2(1) <= shift_left(magnitude, 4) when zero(1) = '1' else magnitude;
+  zero(1) <= not or_reduce(magnitude(16 downto 13));
   shifted1_lo_each : for i in 0 to 2 generate
-    shifted1(i).lo <= shift_left(kept_d1(i).lo, 4) when zero1 = '1' else kept_d1(i).lo;
-    shifted1(i).hi <= shift_left(kept_d1(i).hi, 4) when zero1 = '1' else kept_d1(i).hi;
+    shifted1(i).lo <= shift_left(kept_d1(i).lo, 4) when zero(1) = '1' else kept_d1(i).lo;
+    shifted1(i).hi <= shift_left(kept_d1(i).hi, 4) when zero(1) = '1' else kept_d1(i).hi;
   end generate shifted1_lo_each;
 
   -- Clock 2
   clock_2 : process (clk)
   begin
     if rising_edge(clk) then
-      magnitude1_d1 <= magnitude1;
-      magnitude2_shifted_d1 <= shift_left(magnitude1, 2);
+      magnitude1_d1 <= magnitude_1_to_2(1);
+      magnitude2_shifted_d1 <= shift_left(magnitude_1_to_2(1), 2);
       for i in 0 to 2 loop
         shifted1_floor_4_d1(i).lo <= shifted1(i).lo(24 downto 4);
         shifted1_floor_4_d1(i).hi <= shifted1(i).hi(24 downto 4);
       end loop;
     end if;
   end process clock_2;
-  magnitude2 <= magnitude2_shifted_d1 when zero2 = '1' else magnitude1_d1;
-  zero2 <= not or_reduce(magnitude1_d1(16 downto 15));
-  zero3 <= not magnitude2(16);
+  magnitude_1_to_2(2) <= magnitude2_shifted_d1 when zero(2) = '1' else magnitude1_d1;
+  zero(2) <= not or_reduce(magnitude1_d1(16 downto 15));
+  zero(3) <= not magnitude_1_to_2(2)(16);
   shifted2_lo_each : for i in 0 to 2 generate
-    shifted2(i).lo <= shift_left(shifted1_floor_4_d1(i).lo, 2) when zero2 = '1' else shifted1_floor_4_d1(i).lo;
-    shifted2(i).hi <= shift_left(shifted1_floor_4_d1(i).hi, 2) when zero2 = '1' else shifted1_floor_4_d1(i).hi;
-    shifted3(i).lo <= shift_left(shifted2_floor_2(i).lo, 1) when zero3 = '1' else shifted2_floor_2(i).lo;
-    shifted3(i).hi <= shift_left(shifted2_floor_2(i).hi, 1) when zero3 = '1' else shifted2_floor_2(i).hi;
+    shifted2(i).lo <= shift_left(shifted1_floor_4_d1(i).lo, 2) when zero(2) = '1' else shifted1_floor_4_d1(i).lo;
+    shifted2(i).hi <= shift_left(shifted1_floor_4_d1(i).hi, 2) when zero(2) = '1' else shifted1_floor_4_d1(i).hi;
+    shifted3(i).lo <= shift_left(shifted2_floor_2(i).lo, 1) when zero(3) = '1' else shifted2_floor_2(i).lo;
+    shifted3(i).hi <= shift_left(shifted2_floor_2(i).hi, 1) when zero(3) = '1' else shifted2_floor_2(i).hi;
     shifted2_floor_2(i).lo <= shifted2(i).lo(20 downto 2);
     shifted2_floor_2(i).hi <= shifted2(i).hi(20 downto 2);
     l_i(i).lo <= shifted3(i).lo(18 downto 1);

@@ -9,68 +9,68 @@ use ieee.std_logic_1164.all;
 
 package efsat_engine_constants is
   -- The engine.
-  constant directions : natural := 18;  -- directions of a volume, and rows of a query
-  constant offset_bits : natural := 10;  -- bits of a code
-  constant origin_bits : natural := 18;  -- bits of a coordinate of an origin
-  constant factor_bits : natural := 12;  -- bits of a factor of a row
-  constant transform_bits : natural := 32;  -- bits of a number of a triangle or a pose
-  constant integral_bits : natural := 4;  -- of them integral, with the sign
-  constant tree_height : natural := 32;  -- the greatest height of a tree
-  constant pose_word : natural := 7;  -- first word of the pose in a query
-  constant row_word : natural := 14;  -- first row in a query
-  constant clocks_per_expansion : natural := 4;  -- clocks from expansion to expansion
-  constant clocks_per_pair : natural := 11;  -- clocks from pair to pair of triangles
-  constant clock_mhz : natural := 100;  -- the target clock in MHz
+  constant efsat_engine_directions : natural := 18;  -- directions of a volume, and rows of a query
+  constant efsat_engine_offset_bits : natural := 10;  -- bits of a code
+  constant efsat_engine_origin_bits : natural := 18;  -- bits of a coordinate of an origin
+  constant efsat_engine_factor_bits : natural := 12;  -- bits of a factor of a row
+  constant efsat_engine_transform_bits : natural := 32;  -- bits of a number of a triangle or a pose
+  constant efsat_engine_integral_bits : natural := 4;  -- of them integral, with the sign
+  constant efsat_engine_tree_height : natural := 32;  -- the greatest height of a tree
+  constant efsat_engine_pose_word : natural := 7;  -- first word of the pose in a query
+  constant efsat_engine_row_word : natural := 14;  -- first row in a query
+  constant efsat_engine_clocks_per_expansion : natural := 4;  -- clocks from expansion to expansion
+  constant efsat_engine_clocks_per_pair : natural := 11;  -- clocks from pair to pair of triangles
+  constant efsat_engine_clock_mhz : natural := 100;  -- the target clock in MHz
 
   -- Packets in.
-  constant query_header : std_logic_vector(31 downto 0) := x"44102003";  -- low half of the first word of a query
-  constant query_format : std_logic_vector(31 downto 0) := x"0024ca12";  -- high half, which says the formats below
-  constant stop_header : std_logic_vector(31 downto 0) := x"44102005";  -- the only word of a stop, without the number of its query
-  constant reset_header : std_logic_vector(31 downto 0) := x"44102006";  -- the only word of a soft reset, without the number for its report
-  constant query_words : natural := 32;  -- words of a query
-  constant triangles_word : natural := 4;  -- the word that says how many triangles the objects have
-  constant options_word : natural := 5;  -- the word that says what is asked for
+  constant efsat_engine_query_header : std_logic_vector(31 downto 0) := x"44102003";  -- low half of the first word of a query
+  constant efsat_engine_query_format : std_logic_vector(31 downto 0) := x"0024ca12";  -- high half, which says the formats below
+  constant efsat_engine_stop_header : std_logic_vector(31 downto 0) := x"44102005";  -- the only word of a stop, without the number of its query
+  constant efsat_engine_reset_header : std_logic_vector(31 downto 0) := x"44102006";  -- the only word of a soft reset, without the number for its report
+  constant efsat_engine_query_words : natural := 32;  -- words of a query
+  constant efsat_engine_triangles_word : natural := 4;  -- the word that says how many triangles the objects have
+  constant efsat_engine_options_word : natural := 5;  -- the word that says what is asked for
 
   -- What is asked for: flags in the high half of the options, and fields.
-  constant first_contact : natural := 1;  -- stop at the first certain contact
-  constant all_pairs : natural := 2;  -- answer separate pairs too
-  constant leaf_pairs : natural := 4;  -- no triangle test: all are possibly incorrect
-  constant keep_caches : natural := 8;  -- no image has changed since the last query
-  constant query_flags : natural := 15;  -- all of them
-  constant query_number_low : natural := 40;  -- the number that the report returns; also in stop and reset
-  constant query_number_bits : natural := 24;  -- its bits
+  constant efsat_engine_first_contact : natural := 1;  -- stop at the first certain contact
+  constant efsat_engine_all_pairs : natural := 2;  -- answer separate pairs too
+  constant efsat_engine_leaf_pairs : natural := 4;  -- no triangle test: all are possibly incorrect
+  constant efsat_engine_keep_caches : natural := 8;  -- no image has changed since the last query
+  constant efsat_engine_query_flags : natural := 15;  -- all of them
+  constant efsat_engine_query_number_low : natural := 40;  -- the number that the report returns; also in stop and reset
+  constant efsat_engine_query_number_bits : natural := 24;  -- its bits
 
   -- Bits of a row.
-  constant row_choice_bits : natural := 3;  -- bits of a choice, below its factor
-  constant row_slot_bits : natural := 15;  -- from choice to choice
-  constant row_rest_low : natural := 45;  -- the rest
-  constant row_rest_bits : natural := 13;  -- its bits
+  constant efsat_engine_row_choice_bits : natural := 3;  -- bits of a choice, below its factor
+  constant efsat_engine_row_slot_bits : natural := 15;  -- from choice to choice
+  constant efsat_engine_row_rest_low : natural := 45;  -- the rest
+  constant efsat_engine_row_rest_bits : natural := 13;  -- its bits
 
   -- Verdicts: the low bits of a word out.
-  constant verdict_separate : natural := 0;  -- no common point, if separate pairs are asked for
-  constant verdict_intersect : natural := 1;  -- a common point, certainly
-  constant verdict_possibly_incorrect : natural := 2;  -- too close for this width
-  constant verdict_report : natural := 3;  -- no pair: the first word of the report
+  constant efsat_engine_verdict_separate : natural := 0;  -- no common point, if separate pairs are asked for
+  constant efsat_engine_verdict_intersect : natural := 1;  -- a common point, certainly
+  constant efsat_engine_verdict_possibly_incorrect : natural := 2;  -- too close for this width
+  constant efsat_engine_verdict_report : natural := 3;  -- no pair: the first word of the report
 
   -- Packets out: pairs, then a report.
-  constant answer_a_low : natural := 8;  -- number of A's triangle
-  constant answer_b_low : natural := 36;  -- number of B's triangle
-  constant answer_number_bits : natural := 28;  -- bits of both
-  constant report_words : natural := 8;  -- words of the report
-  constant report_reason_low : natural := 2;  -- reason, five bits of its first word
-  constant report_incomplete : natural := 7;  -- pairs that touch may be missing
-  constant report_number_low : natural := 8;  -- number of the query, 24 bits
+  constant efsat_engine_answer_a_low : natural := 8;  -- number of A's triangle
+  constant efsat_engine_answer_b_low : natural := 36;  -- number of B's triangle
+  constant efsat_engine_answer_number_bits : natural := 28;  -- bits of both
+  constant efsat_engine_report_words : natural := 8;  -- words of the report
+  constant efsat_engine_report_reason_low : natural := 2;  -- reason, five bits of its first word
+  constant efsat_engine_report_incomplete : natural := 7;  -- pairs that touch may be missing
+  constant efsat_engine_report_number_low : natural := 8;  -- number of the query, 24 bits
 
   -- Reasons of a report.
-  constant reason_complete : natural := 0;  -- everything was traversed
-  constant reason_contact : natural := 1;  -- stopped at a certain contact
-  constant reason_limit : natural := 2;  -- limit of expansions; from here on the answer is incomplete
-  constant reason_bad_tree : natural := 3;  -- a block that no tree has
-  constant reason_memory : natural := 4;  -- error of the memory
-  constant reason_stopped : natural := 5;  -- stopped by the host
-  constant reason_unknown_header : natural := 6;  -- no query for this engine
-  constant reason_too_short : natural := 7;  -- the packet was too short
-  constant reason_too_long : natural := 8;  -- the packet was too long
-  constant reason_silent : natural := 9;  -- the memory does not answer
-  constant reason_reset : natural := 10;  -- soft reset; nothing before it has another answer
+  constant efsat_engine_reason_complete : natural := 0;  -- everything was traversed
+  constant efsat_engine_reason_contact : natural := 1;  -- stopped at a certain contact
+  constant efsat_engine_reason_limit : natural := 2;  -- limit of expansions; from here on the answer is incomplete
+  constant efsat_engine_reason_bad_tree : natural := 3;  -- a block that no tree has
+  constant efsat_engine_reason_memory : natural := 4;  -- error of the memory
+  constant efsat_engine_reason_stopped : natural := 5;  -- stopped by the host
+  constant efsat_engine_reason_unknown_header : natural := 6;  -- no query for this engine
+  constant efsat_engine_reason_too_short : natural := 7;  -- the packet was too short
+  constant efsat_engine_reason_too_long : natural := 8;  -- the packet was too long
+  constant efsat_engine_reason_silent : natural := 9;  -- the memory does not answer
+  constant efsat_engine_reason_reset : natural := 10;  -- soft reset; nothing before it has another answer
 end package efsat_engine_constants;

@@ -40,6 +40,8 @@ package volume_types is
   constant zero_signed_28_x9 : signed_28_x9_t := (others => (others => '0'));
   type signed_10_x18_t is array (0 to 17) of signed(9 downto 0);
   constant zero_signed_10_x18 : signed_10_x18_t := (others => (others => '0'));
+  type signed_28_3_to_8_t is array (3 to 8) of signed(27 downto 0);
+  constant zero_signed_28_3_to_8 : signed_28_3_to_8_t := (others => (others => '0'));
   type unsigned_16_vector_t is array (0 to 2) of unsigned(15 downto 0);
   constant zero_unsigned_16_vector : unsigned_16_vector_t := (others => (others => '0'));
   type signed_18_vector_t is array (0 to 2) of signed(17 downto 0);
@@ -59,6 +61,8 @@ package volume_types is
   constant zero_flag_x2_x2 : flag_x2_x2_t := (others => (others => '0'));
   type signed_10_x18_x2_t is array (0 to 1) of signed_10_x18_t;
   constant zero_signed_10_x18_x2 : signed_10_x18_x2_t := (others => zero_signed_10_x18);
+  type flag_x4_x3_t is array (0 to 2) of std_logic_vector(3 downto 0);
+  constant zero_flag_x4_x3 : flag_x4_x3_t := (others => (others => '0'));
   type signed_18_vector_x3_t is array (0 to 2) of signed_18_vector_t;
   constant zero_signed_18_vector_x3 : signed_18_vector_x3_t := (others => zero_signed_18_vector);
   type flag_x2_x9_t is array (0 to 8) of std_logic_vector(1 downto 0);

@@ -10,8 +10,6 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 package efsat_types is
-  type unsigned_29_x1_t is array (0 to 0) of unsigned(28 downto 0);
-  constant zero_unsigned_29_x1 : unsigned_29_x1_t := (others => (others => '0'));
   type unsigned_20_x2_t is array (0 to 1) of unsigned(19 downto 0);
   type unsigned_21_x2_t is array (0 to 1) of unsigned(20 downto 0);
   constant zero_unsigned_21_x2 : unsigned_21_x2_t := (others => (others => '0'));
@@ -22,6 +20,8 @@ package efsat_types is
   type signed_18_x2_t is array (0 to 1) of signed(17 downto 0);
   constant zero_signed_18_x2 : signed_18_x2_t := (others => (others => '0'));
   type signed_19_x2_t is array (0 to 1) of signed(18 downto 0);
+  type signed_38_x2_t is array (0 to 1) of signed(37 downto 0);
+  constant zero_signed_38_x2 : signed_38_x2_t := (others => (others => '0'));
   type signed_39_x2_t is array (0 to 1) of signed(38 downto 0);
   constant zero_signed_39_x2 : signed_39_x2_t := (others => (others => '0'));
   type signed_40_x2_t is array (0 to 1) of signed(39 downto 0);
@@ -42,6 +42,8 @@ package efsat_types is
   constant zero_signed_18_x3 : signed_18_x3_t := (others => (others => '0'));
   type signed_19_x3_t is array (0 to 2) of signed(18 downto 0);
   type signed_30_x3_t is array (0 to 2) of signed(29 downto 0);
+  type signed_31_x3_t is array (0 to 2) of signed(30 downto 0);
+  constant zero_signed_31_x3 : signed_31_x3_t := (others => (others => '0'));
   type signed_32_x3_t is array (0 to 2) of signed(31 downto 0);
   constant zero_signed_32_x3 : signed_32_x3_t := (others => (others => '0'));
   type signed_33_x3_t is array (0 to 2) of signed(32 downto 0);
@@ -58,7 +60,11 @@ package efsat_types is
   type unsigned_28_x4_t is array (0 to 3) of unsigned(27 downto 0);
   constant zero_unsigned_28_x4 : unsigned_28_x4_t := (others => (others => '0'));
   type signed_20_x4_t is array (0 to 3) of signed(19 downto 0);
+  type signed_31_x4_t is array (0 to 3) of signed(30 downto 0);
+  constant zero_signed_31_x4 : signed_31_x4_t := (others => (others => '0'));
   type signed_38_x4_t is array (0 to 3) of signed(37 downto 0);
+  type signed_41_x4_t is array (0 to 3) of signed(40 downto 0);
+  constant zero_signed_41_x4 : signed_41_x4_t := (others => (others => '0'));
   type unsigned_31_x5_t is array (0 to 4) of unsigned(30 downto 0);
   type signed_19_x5_t is array (0 to 4) of signed(18 downto 0);
   type signed_31_x5_t is array (0 to 4) of signed(30 downto 0);
@@ -74,6 +80,12 @@ package efsat_types is
   constant zero_signed_20_x12 : signed_20_x12_t := (others => (others => '0'));
   type signed_31_x15_t is array (0 to 14) of signed(30 downto 0);
   type signed_41_x15_t is array (0 to 14) of signed(40 downto 0);
+  type signed_31_4_to_8_t is array (4 to 8) of signed(30 downto 0);
+  constant zero_signed_31_4_to_8 : signed_31_4_to_8_t := (others => (others => '0'));
+  type signed_41_9_to_14_t is array (9 to 14) of signed(40 downto 0);
+  constant zero_signed_41_9_to_14 : signed_41_9_to_14_t := (others => (others => '0'));
+  type signed_31_12_to_14_t is array (12 to 14) of signed(30 downto 0);
+  constant zero_signed_31_12_to_14 : signed_31_12_to_14_t := (others => (others => '0'));
   type unsigned_18_vector_t is array (0 to 2) of unsigned(17 downto 0);
   type unsigned_19_vector_t is array (0 to 2) of unsigned(18 downto 0);
   type signed_18_vector_t is array (0 to 2) of signed(17 downto 0);
@@ -101,15 +113,22 @@ package efsat_types is
   type signed_18_vector_x2_t is array (0 to 1) of signed_18_vector_t;
   constant zero_signed_18_vector_x2 : signed_18_vector_x2_t := (others => zero_signed_18_vector);
   type signed_19_vector_x2_t is array (0 to 1) of signed_19_vector_t;
+  constant zero_signed_19_vector_x2 : signed_19_vector_x2_t := (others => zero_signed_19_vector);
   type signed_20_vector_x2_t is array (0 to 1) of signed_20_vector_t;
   type signed_33_vector_x2_t is array (0 to 1) of signed_33_vector_t;
   constant zero_signed_33_vector_x2 : signed_33_vector_x2_t := (others => zero_signed_33_vector);
   type flag_x2_x3_t is array (0 to 2) of std_logic_vector(1 downto 0);
+  type flag_x3_x3_t is array (0 to 2) of std_logic_vector(2 downto 0);
+  type signed_32_x3_x3_t is array (0 to 2) of signed_32_x3_t;
+  constant zero_signed_32_x3_x3 : signed_32_x3_x3_t := (others => zero_signed_32_x3);
+  type signed_18_vector_x3_t is array (0 to 2) of signed_18_vector_t;
+  constant zero_signed_18_vector_x3 : signed_18_vector_x3_t := (others => zero_signed_18_vector);
   type signed_19_vector_x3_t is array (0 to 2) of signed_19_vector_t;
   constant zero_signed_19_vector_x3 : signed_19_vector_x3_t := (others => zero_signed_19_vector);
   type signed_32_vector_x3_t is array (0 to 2) of signed_32_vector_t;
   constant zero_signed_32_vector_x3 : signed_32_vector_x3_t := (others => zero_signed_32_vector);
-  type flag_x1_x4_t is array (0 to 3) of std_logic_vector(0 downto 0);
+  type signed_33_vector_x3_t is array (0 to 2) of signed_33_vector_t;
+  constant zero_signed_33_vector_x3 : signed_33_vector_x3_t := (others => zero_signed_33_vector);
   type signed_18_x2_x4_t is array (0 to 3) of signed_18_x2_t;
   constant zero_signed_18_x2_x4 : signed_18_x2_x4_t := (others => zero_signed_18_x2);
   type signed_18_vector_x4_t is array (0 to 3) of signed_18_vector_t;
@@ -117,12 +136,28 @@ package efsat_types is
   type flag_x2_x5_t is array (0 to 4) of std_logic_vector(1 downto 0);
   type signed_19_vector_x5_t is array (0 to 4) of signed_19_vector_t;
   constant zero_signed_19_vector_x5 : signed_19_vector_x5_t := (others => zero_signed_19_vector);
+  type flag_2_to_8_x12_t is array (0 to 11) of std_logic_vector(8 downto 2);
+  constant zero_flag_2_to_8_x12 : flag_2_to_8_x12_t := (others => (others => '0'));
+  type flag_3_to_8_x12_t is array (0 to 11) of std_logic_vector(8 downto 3);
+  constant zero_flag_3_to_8_x12 : flag_3_to_8_x12_t := (others => (others => '0'));
+  type flag_x3_x13_t is array (0 to 12) of std_logic_vector(2 downto 0);
+  constant zero_flag_x3_x13 : flag_x3_x13_t := (others => (others => '0'));
   type flag_x2_x15_t is array (0 to 14) of std_logic_vector(1 downto 0);
   constant zero_flag_x2_x15 : flag_x2_x15_t := (others => (others => '0'));
+  type signed_32_x3_1_to_2_t is array (1 to 2) of signed_32_x3_t;
+  constant zero_signed_32_x3_1_to_2 : signed_32_x3_1_to_2_t := (others => zero_signed_32_x3);
+  type signed_18_vector_1_to_2_t is array (1 to 2) of signed_18_vector_t;
+  constant zero_signed_18_vector_1_to_2 : signed_18_vector_1_to_2_t := (others => zero_signed_18_vector);
+  type flag_x2_2_to_3_t is array (2 to 3) of std_logic_vector(1 downto 0);
+  constant zero_flag_x2_2_to_3 : flag_x2_2_to_3_t := (others => (others => '0'));
   type flag_x4_vector_t is array (0 to 2) of std_logic_vector(3 downto 0);
   constant zero_flag_x4_vector : flag_x4_vector_t := (others => (others => '0'));
   type signed_19_x5_vector_t is array (0 to 2) of signed_19_x5_t;
   type signed_33_x5_vector_t is array (0 to 2) of signed_33_x5_t;
+  type flag_x4_vector_x2_t is array (0 to 1) of flag_x4_vector_t;
+  constant zero_flag_x4_vector_x2 : flag_x4_vector_x2_t := (others => zero_flag_x4_vector);
+  type flag_x2_x2_3_to_8_t is array (3 to 8) of flag_x2_x2_t;
+  type flag_x2_x3_3_to_8_t is array (3 to 8) of flag_x2_x3_t;
   type numbers_t is array (natural range <>) of integer;
 
   -- A condition as a flag.

@@ -2,7 +2,7 @@
 --------------------------------------------------------------------------------
 -- The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with
 -- bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is
--- named after what it is; later copies end in _h<clocks>.
+-- named after what it is; later copies end in _h<clocks>, or are elements of x_held.
 -- Latency: 40 clocks.
 --------------------------------------------------------------------------------
 library ieee;
@@ -39,18 +39,10 @@ architecture rtl of pair_pipeline is
   constant lane1_select_at_2_table : std_logic_vector(0 to 3) := "001" & "0";
   constant lane1_select_at_0_table : std_logic_vector(0 to 3) := "100" & "0";
   constant boxes_wrong_table : numbers_t(0 to 7) := (1, 1, 2, 3, 5, 9, 17, others => 0);
-  signal in_v0_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_v0_outside : std_logic_vector(2 downto 0);
-  signal in_v1_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_v1_outside : std_logic_vector(2 downto 0);
-  signal in_v2_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_v2_outside : std_logic_vector(2 downto 0);
-  signal in_w0_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_w0_outside : std_logic_vector(2 downto 0);
-  signal in_w1_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_w1_outside : std_logic_vector(2 downto 0);
-  signal in_w2_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal in_w2_outside : std_logic_vector(2 downto 0);
+  signal in_v_inside : signed_32_x3_x3_t;  -- |.| <= 268435456
+  signal in_v_outside : flag_x3_x3_t;
+  signal in_w_inside : signed_32_x3_x3_t;  -- |.| <= 268435456
+  signal in_w_outside : flag_x3_x3_t;
   signal difference_v1 : signed_33_vector_t;  -- |.| <= 536870912
   signal difference_v2 : signed_33_vector_t;  -- |.| <= 536870912
   signal in_phase_2 : std_logic;
@@ -60,78 +52,56 @@ architecture rtl of pair_pipeline is
   signal pose_t_inside : signed_32_x3_t;  -- |.| <= 1073741816
   signal pose_t_outside : std_logic_vector(2 downto 0);
   signal moved : signed_33_vector_t;  -- |.| <= 1342177272; t - V0, or - V0 with the bypass
-  signal pose_m0_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
-  signal pose_m0_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal pose_m0_outside : std_logic_vector(2 downto 0);
-  signal pose_m1_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
-  signal pose_m1_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal pose_m1_outside : std_logic_vector(2 downto 0);
-  signal pose_m2_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
-  signal pose_m2_inside : signed_32_x3_t;  -- |.| <= 268435456
-  signal pose_m2_outside : std_logic_vector(2 downto 0);
-  signal in_w2_inside_h3 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal pose_m_inside_number_h1 : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m_inside : signed_32_x3_x3_t;  -- |.| <= 268435456
+  signal pose_m_outside : flag_x3_x3_t;
+  signal in_w_inside_h3 : signed_32_x3_1_to_2_t := zero_signed_32_x3_1_to_2;  -- |.| <= 268435456
   signal row_w : signed_32_vector_x3_t;  -- |.| <= 268435456
   signal row_m_select_at_2 : unsigned(1 downto 0) := (others => '0');
-  signal moved_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
-  signal moved_h5 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
-  signal moved_h8 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal moved_held : signed_33_vector_x3_t := zero_signed_33_vector_x3;  -- |.| <= 1342177272; from clocks 4, 7, 10 on
   signal row_moved : signed_33_x3_t;  -- |.| <= 1342177272
-  signal in_w1_inside_h3 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal row_same : signed_32_x3_t;  -- |.| <= 268435456
   signal row_m_select_at_0 : unsigned(1 downto 0) := (others => '0');
-  signal pose_m0_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal pose_m_inside_d1 : signed_32_x3_x3_t := zero_signed_32_x3_x3;  -- |.| <= 268435456
   signal row_w_d1 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
   signal row_turned : signed_32_x3_t;  -- |.| <= 805306372
-  signal pose_bypass_h3 : std_logic := '0';
-  signal pose_bypass_h6 : std_logic := '0';
+  signal pose_bypass_held : std_logic_vector(1 downto 0) := (others => '0');  -- from clocks 3, 6 on
   signal pose_bypass_h7 : std_logic := '0';
   type row_same_line_t is array (1 to 4) of signed_32_x3_t;
   signal row_same_line : row_same_line_t := (others => zero_signed_32_x3);  -- |.| <= 268435456
   signal row_choice_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 805306372
   signal row : signed_34_x3_t;  -- |.| <= 2147483644
   signal difference : signed_34_x9_t := zero_signed_34_x9;  -- |.| <= 2147483644
-  signal pose_m1_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
-  signal pose_m2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal difference_w0 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w1 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w2 : signed_33_vector_t;  -- |.| <= 2147483644
   signal outside_flags : unsigned(29 downto 0);
   signal outside_i : std_logic;  -- a number of the pair or its pose is outside its declared range
-  signal difference_v1_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v1_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v1_h9 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v1_held : signed_33_vector_x3_t := zero_signed_33_vector_x3;  -- |.| <= 536870912; from clocks 4, 7, 10 on
   signal difference_v1_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v2_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v2_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
-  signal difference_v2_h9 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_held : signed_33_vector_x3_t := zero_signed_33_vector_x3;  -- |.| <= 536870912; from clocks 4, 7, 10 on
   signal difference_v2_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal shift : flag_x4_vector_t;
   signal difference_w0_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
   signal difference_w2_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
   signal lane : signed_33_vector_x2_t;  -- |.| <= 2147483644
   signal row_m_select_at_1 : unsigned(1 downto 0) := (others => '0');
-  signal shift_h1 : flag_x4_vector_t := zero_flag_x4_vector;
+  signal shift_held : flag_x4_vector_x2_t := zero_flag_x4_vector_x2;  -- from clocks 14, 17 on
   signal lane_d1 : signed_33_vector_x2_t := zero_signed_33_vector_x2;  -- |.| <= 2147483644
   signal lane_shifted : signed_19_vector_x2_t;  -- |.| <= 262144
   signal coordinate_cut : signed_19_vector_x5_t := zero_signed_19_vector_x5;  -- |.| <= 262144
   signal difference_w1_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
   signal lane1_select_at_1 : std_logic := '0';
   signal carried : std_logic_vector(2 downto 0);
-  signal coordinate_cut0_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
-  signal coordinate_cut1_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
-  signal coordinate_cut0_h5 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
-  signal coordinate_cut1_h5 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut_held : signed_19_vector_x5_t := zero_signed_19_vector_x5;  -- |.| <= 262144; from clock 18 on
+  signal coordinate_cut_h5 : signed_19_vector_x2_t := zero_signed_19_vector_x2;  -- |.| <= 262144
   signal carried_h1 : std_logic_vector(2 downto 0) := (others => '0');
   signal carried_h3 : std_logic_vector(2 downto 0) := (others => '0');
   signal coordinate_v1 : signed_18_vector_t;  -- |.| <= 131071
   signal coordinate_v2 : signed_18_vector_t;  -- |.| <= 131071
-  signal coordinate_cut2_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
-  signal coordinate_cut3_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
   signal coordinate_w0 : signed_18_vector_t;  -- |.| <= 131071
   signal coordinate_w1 : signed_18_vector_t;  -- |.| <= 131071
-  signal coordinate_cut4_h1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
   signal coordinate_w2 : signed_18_vector_t;  -- |.| <= 131071
-  signal shift_h4 : flag_x4_vector_t := zero_flag_x4_vector;
   signal taken_x : unsigned(4 downto 0);
   signal taken_x_h1 : unsigned(4 downto 0) := (others => '0');
   signal axis_level : unsigned_3_x3_t;
@@ -153,7 +123,7 @@ architecture rtl of pair_pipeline is
   signal moment_plus_d1 : signed_18_x2_x4_t := zero_signed_18_x2_x4;  -- |.| <= 131071
   signal moment_minus_d1 : signed_18_x2_x4_t := zero_signed_18_x2_x4;  -- |.| <= 131071
   signal moment_lane_cut : signed_20_x4_t;  -- |.| <= 524281
-  signal moment_too_great : flag_x1_x4_t;
+  signal moment_too_great0 : std_logic_vector(3 downto 0);
   signal moment_cut : signed_20_x12_t := zero_signed_20_x12;  -- |.| <= 524281
   signal too_great_0_found : std_logic;
   signal too_great_0_so_far_select_at_0 : std_logic := '0';
@@ -167,32 +137,23 @@ architecture rtl of pair_pipeline is
   signal moment_m2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal moment_m1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal moment_n : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
-  signal coordinate_w0_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w0_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w1_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w1_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w1_h9 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_v2_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_v2_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_held : signed_18_vector_x3_t := zero_signed_18_vector_x3;  -- |.| <= 131071; from clocks 21, 24, 27 on
+  signal coordinate_w1_held : signed_18_vector_x3_t := zero_signed_18_vector_x3;  -- |.| <= 131071; from clocks 21, 24, 27 on
+  signal coordinate_v2_held : signed_18_vector_x2_t := zero_signed_18_vector_x2;  -- |.| <= 131071; from clocks 23, 26 on
   signal dot_x : signed_18_vector_x4_t;  -- |.| <= 131071
   signal dot_m : signed_18_vector_x4_t;  -- |.| <= 131072
   signal dot_x_d1 : signed_18_vector_x4_t := zero_signed_18_vector_x4;  -- |.| <= 131071
   signal dot_x0_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal dot_x3_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal dot_m0_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
-  signal dot_m1_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
-  signal dot_m2_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal dot_m_d1 : signed_18_vector_1_to_2_t := zero_signed_18_vector_1_to_2;  -- |.| <= 131072
   signal dot_m3_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal dot_lane : signed_38_x4_t;  -- |.| <= 51539214336
   signal determinant_plane_a0 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
   signal determinant_plane_a1 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
   signal determinant_side22 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal coordinate_v1_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_v1_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w0_h9 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w2_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w2_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal coordinate_w2_h9 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v1_held : signed_18_vector_x2_t := zero_signed_18_vector_x2;  -- |.| <= 131071; from clocks 23, 26 on
+  signal coordinate_w2_held : signed_18_vector_x3_t := zero_signed_18_vector_x3;  -- |.| <= 131071; from clocks 21, 24, 27 on
   signal dot_d1 : signed_38_x3_t := zero_signed_38_x3;  -- |.| <= 51539214336
   signal determinant_plane_b0 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
   signal determinant_plane_a2 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
@@ -200,8 +161,7 @@ architecture rtl of pair_pipeline is
   signal determinant_side20 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
   signal lane1_select_at_0 : std_logic := '0';
   signal determinant_side21 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal dot_d1_0_h3 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal dot_d1_1_h3 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal dot_d1_h3 : signed_38_x2_t := zero_signed_38_x2;  -- |.| <= 51539214336
   signal compared : signed_41_x15_t;  -- |.| <= 206156857344
   signal determinant_side00 : signed(38 downto 0);  -- |.| <= 51539214336
   signal determinant_side01 : signed(38 downto 0);  -- |.| <= 51539214336
@@ -216,8 +176,7 @@ architecture rtl of pair_pipeline is
   signal coordinate_w0_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal e_b : signed_19_vector_x3_t;  -- |.| <= 262142
   signal coordinate_w2_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
-  signal norm_x0_resized_third_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
-  signal norm_x1_resized_third_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal norm_x_resized_third_h3 : signed_19_vector_x2_t := zero_signed_19_vector_x2;  -- |.| <= 131071
   signal norm_x : signed_19_vector_x3_t;  -- |.| <= 262142
   signal norm_x_d1 : signed_19_vector_x3_t := zero_signed_19_vector_x3;  -- |.| <= 262142
   signal norm_lane : unsigned_21_x3_t;
@@ -228,15 +187,7 @@ architecture rtl of pair_pipeline is
   signal rest_aligned_second_h3 : unsigned(16 downto 0) := (others => '0');
   signal rest_of_level_aligned_h3 : unsigned(15 downto 0) := (others => '0');
   signal rest : unsigned(16 downto 0);  -- c(3); four times that is c(5)
-  signal length_measure0_h3 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure1_h3 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure8_h3 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure2_h2 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure3_h2 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure4_h2 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure5_h1 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure6_h1 : unsigned(20 downto 0) := (others => '0');
-  signal length_measure7_h1 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure_held : unsigned_21_x9_t := zero_unsigned_21_x9;  -- from clock 28 on
   signal rest_h3 : unsigned(16 downto 0) := (others => '0');
   signal length_measure0_plane_a0 : unsigned(23 downto 0);
   signal bound_plane_a1_sum_first_result : unsigned(23 downto 0);
@@ -297,7 +248,7 @@ architecture rtl of pair_pipeline is
   signal bound_of_a_aligned_second_h3 : unsigned(29 downto 0) := (others => '0');
   signal bound_of_a : unsigned(30 downto 0);
   signal length_measure0_ends0_h3 : unsigned(23 downto 0) := (others => '0');
-  signal face_of_vertex0_h2 : unsigned_29_x1_t := zero_unsigned_29_x1;
+  signal face_of_vertex0_0_h2 : unsigned(28 downto 0) := (others => '0');
   signal face_of_vertex1_h2 : unsigned_29_x3_t := zero_unsigned_29_x3;
   signal bound_side00 : unsigned(30 downto 0);
   signal bound_side01 : unsigned(30 downto 0);
@@ -319,45 +270,26 @@ architecture rtl of pair_pipeline is
   signal bound_side12_result_h5 : unsigned(24 downto 0) := (others => '0');
   signal bound_side12 : unsigned(32 downto 0);
   signal length_measure0_ends1_h3 : unsigned(23 downto 0) := (others => '0');
-  signal face_of_vertex1_h3 : unsigned_29_x1_t := zero_unsigned_29_x1;
+  signal face_of_vertex1_0_h3 : unsigned(28 downto 0) := (others => '0');
   signal bound_side20 : unsigned(30 downto 0);
   signal bound_side21 : unsigned(30 downto 0);
   signal bound_side22_sum_second_h3 : unsigned(29 downto 0) := (others => '0');
   signal bound_side22 : unsigned(30 downto 0);
   signal compared_bound : signed_31_x15_t;  -- |.| <= 67665506
-  signal compared0_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared12_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared3_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared13_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared14_h3 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal compared10_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared11_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal compared9_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal compared0_held : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336; from clock 34 on
+  signal compared_held : signed_41_9_to_14_t := zero_signed_41_9_to_14;  -- |.| <= 206156857344; from clocks 34, 35, 36 on
   signal sign_x : signed_41_x5_t;  -- |.| <= 206156857344
-  signal compared_bound0_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound5_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
-  signal compared_bound12_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound8_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound13_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound4_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
-  signal compared_bound14_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound_0_to_2_held : signed_31_x3_t := zero_signed_31_x3;  -- |.| <= 16916376; from clock 34 on
+  signal compared_bound_held : signed_31_4_to_8_t := zero_signed_31_4_to_8;  -- |.| <= 60980936; from clocks 33, 35 on
   signal sign_bound : signed_31_x5_t;  -- |.| <= 67665506
-  signal sign_x0_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal sign_x1_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal sign_x2_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
-  signal sign_x3_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal sign_x_d1 : signed_41_x4_t := zero_signed_41_x4;  -- |.| <= 206156857344
   signal sign_x4_d1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
-  signal sign_bound0_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal sign_bound1_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
-  signal sign_bound2_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal sign_bound3_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal sign_bound_d1 : signed_31_x4_t := zero_signed_31_x4;  -- |.| <= 67665506
   signal sign_bound4_d1 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
   signal sign_lane : flag_x2_x5_t;
   signal sign : flag_x2_x15_t := zero_flag_x2_x15;
-  signal compared_bound1_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound6_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound2_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
-  signal compared_bound7_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound_12_to_14_held : signed_31_12_to_14_t := zero_signed_31_12_to_14;  -- |.| <= 16916376; from clocks 34, 35 on
+  signal compared3_held : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336; from clock 34 on
   signal boxes_v : signed_18_x2_t;  -- |.| <= 131071
   signal boxes_w : signed_18_x3_t;  -- |.| <= 131071
   signal boxes_v_d1 : signed_18_x2_t := zero_signed_18_x2;  -- |.| <= 131071
@@ -366,243 +298,49 @@ architecture rtl of pair_pipeline is
   signal boxes_lane : std_logic;
   signal boxes_apart_along : std_logic_vector(2 downto 0) := (others => '0');
   signal boxes_apart : std_logic;
-  signal separated3_result : std_logic;
-  signal separated4_result : std_logic;
-  signal separated5_result : std_logic;
-  signal separated6_result : std_logic;
-  signal separated7_result : std_logic;
-  signal separated8_result : std_logic;
-  signal overlapping3_result : std_logic;
-  signal overlapping4_result : std_logic;
-  signal overlapping5_result : std_logic;
-  signal overlapping6_result : std_logic;
-  signal overlapping7_result : std_logic;
-  signal overlapping8_result : std_logic;
-  signal sign3_h3 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign2_h3 : std_logic_vector(1 downto 0) := (others => '0');
+  signal separated_result : std_logic_vector(8 downto 3);
+  signal overlapping_result : std_logic_vector(8 downto 3);
   signal sign0_h3 : std_logic_vector(1 downto 0) := (others => '0');
-  signal overlapping0_constant : std_logic;
-  signal overlapping1_constant : std_logic;
-  signal overlapping2_constant : std_logic;
-  signal separated_not_h2 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h5 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h8 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h11 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h14 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h17 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h20 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h23 : std_logic_vector(8 downto 0) := (others => '0');
-  signal separated_not_h26 : std_logic_vector(8 downto 0) := (others => '0');
+  signal sign_h3 : flag_x2_2_to_3_t := zero_flag_x2_2_to_3;
+  signal overlapping_constant : std_logic_vector(2 downto 0);
+  signal separated0_not_held : std_logic_vector(8 downto 0) := (others => '0');  -- from clocks 4, 7, ... 28 on
   signal separated_i : std_logic_vector(8 downto 0);
-  signal separated1_not_h29 : std_logic := '0';
-  signal separated2_not_h29 : std_logic := '0';
-  signal separated3_not_h29 : std_logic := '0';
-  signal separated4_not_h29 : std_logic := '0';
-  signal separated5_not_h29 : std_logic := '0';
-  signal separated6_not_h29 : std_logic := '0';
-  signal separated7_not_h29 : std_logic := '0';
-  signal separated8_not_h29 : std_logic := '0';
-  signal separated1_not_h32 : std_logic := '0';
-  signal separated2_not_h32 : std_logic := '0';
-  signal separated3_not_h32 : std_logic := '0';
-  signal separated4_not_h32 : std_logic := '0';
-  signal separated5_not_h32 : std_logic := '0';
-  signal separated6_not_h32 : std_logic := '0';
-  signal separated7_not_h32 : std_logic := '0';
-  signal separated8_not_h32 : std_logic := '0';
-  signal separated1_not_h34 : std_logic := '0';
-  signal separated2_not_h35 : std_logic := '0';
-  signal separated3_not_h35 : std_logic := '0';
-  signal separated4_not_h35 : std_logic := '0';
-  signal separated5_not_h35 : std_logic := '0';
-  signal separated6_not_h35 : std_logic := '0';
-  signal separated7_not_h35 : std_logic := '0';
-  signal separated8_not_h35 : std_logic := '0';
-  signal separated4_not_h36 : std_logic := '0';
-  signal separated6_not_h36 : std_logic := '0';
-  signal separated7_not_h36 : std_logic := '0';
-  signal separated5_not_h37 : std_logic := '0';
-  signal separated8_not_h37 : std_logic := '0';
+  signal separated1_not_held : std_logic_vector(10 downto 0) := (others => '0');  -- from clocks 4, 7, ... 34 on
+  signal separated1_not_held_2 : std_logic := '0';  -- from clock 36 on
+  signal separated_not_held : flag_2_to_8_x12_t := zero_flag_2_to_8_x12;  -- from clocks 4, 7, ... 37 on
+  signal separated_not_held_2 : std_logic_vector(8 downto 4) := (others => '0');  -- from clocks 38, 39 on
   signal overlapping_i : std_logic_vector(8 downto 0);
-  signal overlapping3_not_h2 : std_logic := '0';
-  signal overlapping4_not_h2 : std_logic := '0';
-  signal overlapping5_not_h2 : std_logic := '0';
-  signal overlapping6_not_h2 : std_logic := '0';
-  signal overlapping7_not_h2 : std_logic := '0';
-  signal overlapping8_not_h2 : std_logic := '0';
-  signal overlapping3_not_h5 : std_logic := '0';
-  signal overlapping4_not_h5 : std_logic := '0';
-  signal overlapping5_not_h5 : std_logic := '0';
-  signal overlapping6_not_h5 : std_logic := '0';
-  signal overlapping7_not_h5 : std_logic := '0';
-  signal overlapping8_not_h5 : std_logic := '0';
-  signal overlapping3_not_h8 : std_logic := '0';
-  signal overlapping4_not_h8 : std_logic := '0';
-  signal overlapping5_not_h8 : std_logic := '0';
-  signal overlapping6_not_h8 : std_logic := '0';
-  signal overlapping7_not_h8 : std_logic := '0';
-  signal overlapping8_not_h8 : std_logic := '0';
-  signal overlapping3_not_h11 : std_logic := '0';
-  signal overlapping4_not_h11 : std_logic := '0';
-  signal overlapping5_not_h11 : std_logic := '0';
-  signal overlapping6_not_h11 : std_logic := '0';
-  signal overlapping7_not_h11 : std_logic := '0';
-  signal overlapping8_not_h11 : std_logic := '0';
-  signal overlapping3_not_h14 : std_logic := '0';
-  signal overlapping4_not_h14 : std_logic := '0';
-  signal overlapping5_not_h14 : std_logic := '0';
-  signal overlapping6_not_h14 : std_logic := '0';
-  signal overlapping7_not_h14 : std_logic := '0';
-  signal overlapping8_not_h14 : std_logic := '0';
-  signal overlapping3_not_h17 : std_logic := '0';
-  signal overlapping4_not_h17 : std_logic := '0';
-  signal overlapping5_not_h17 : std_logic := '0';
-  signal overlapping6_not_h17 : std_logic := '0';
-  signal overlapping7_not_h17 : std_logic := '0';
-  signal overlapping8_not_h17 : std_logic := '0';
-  signal overlapping3_not_h20 : std_logic := '0';
-  signal overlapping4_not_h20 : std_logic := '0';
-  signal overlapping5_not_h20 : std_logic := '0';
-  signal overlapping6_not_h20 : std_logic := '0';
-  signal overlapping7_not_h20 : std_logic := '0';
-  signal overlapping8_not_h20 : std_logic := '0';
-  signal overlapping3_not_h23 : std_logic := '0';
-  signal overlapping4_not_h23 : std_logic := '0';
-  signal overlapping5_not_h23 : std_logic := '0';
-  signal overlapping6_not_h23 : std_logic := '0';
-  signal overlapping7_not_h23 : std_logic := '0';
-  signal overlapping8_not_h23 : std_logic := '0';
-  signal overlapping3_not_h26 : std_logic := '0';
-  signal overlapping4_not_h26 : std_logic := '0';
-  signal overlapping5_not_h26 : std_logic := '0';
-  signal overlapping6_not_h26 : std_logic := '0';
-  signal overlapping7_not_h26 : std_logic := '0';
-  signal overlapping8_not_h26 : std_logic := '0';
-  signal overlapping3_not_h29 : std_logic := '0';
-  signal overlapping4_not_h29 : std_logic := '0';
-  signal overlapping5_not_h29 : std_logic := '0';
-  signal overlapping6_not_h29 : std_logic := '0';
-  signal overlapping7_not_h29 : std_logic := '0';
-  signal overlapping8_not_h29 : std_logic := '0';
-  signal overlapping3_not_h32 : std_logic := '0';
-  signal overlapping4_not_h32 : std_logic := '0';
-  signal overlapping5_not_h32 : std_logic := '0';
-  signal overlapping6_not_h32 : std_logic := '0';
-  signal overlapping7_not_h32 : std_logic := '0';
-  signal overlapping8_not_h32 : std_logic := '0';
-  signal overlapping3_not_h35 : std_logic := '0';
-  signal overlapping4_not_h35 : std_logic := '0';
-  signal overlapping5_not_h35 : std_logic := '0';
-  signal overlapping6_not_h35 : std_logic := '0';
-  signal overlapping7_not_h35 : std_logic := '0';
-  signal overlapping8_not_h35 : std_logic := '0';
-  signal overlapping4_not_h36 : std_logic := '0';
-  signal overlapping6_not_h36 : std_logic := '0';
-  signal overlapping7_not_h36 : std_logic := '0';
-  signal overlapping5_not_h37 : std_logic := '0';
-  signal overlapping8_not_h37 : std_logic := '0';
-  signal separated0_h1 : std_logic := '0';
-  signal separated5_h1 : std_logic := '0';
-  signal separated6_h1 : std_logic := '0';
-  signal separated7_h1 : std_logic := '0';
-  signal separated8_h1 : std_logic := '0';
-  signal separated0_h4 : std_logic := '0';
-  signal separated1_h4 : std_logic := '0';
-  signal separated0_h7 : std_logic := '0';
-  signal separated0_h10 : std_logic := '0';
-  signal separated0_h12 : std_logic := '0';
-  signal separated1_h3 : std_logic := '0';
-  signal separated2_h3 : std_logic := '0';
-  signal separated3_h3 : std_logic := '0';
-  signal separated2_h2 : std_logic := '0';
-  signal separated3_h2 : std_logic := '0';
-  signal separated4_h2 : std_logic := '0';
-  signal separated6_h2 : std_logic := '0';
-  signal separated7_h2 : std_logic := '0';
-  signal overlapping0_h2 : std_logic := '0';
-  signal overlapping1_h2 : std_logic := '0';
-  signal overlapping2_h2 : std_logic := '0';
-  signal overlapping3_h2 : std_logic := '0';
-  signal overlapping4_h2 : std_logic := '0';
-  signal overlapping6_h2 : std_logic := '0';
-  signal overlapping7_h2 : std_logic := '0';
-  signal overlapping0_h5 : std_logic := '0';
-  signal overlapping1_h5 : std_logic := '0';
-  signal overlapping2_h5 : std_logic := '0';
-  signal overlapping0_h8 : std_logic := '0';
-  signal overlapping1_h8 : std_logic := '0';
-  signal overlapping2_h8 : std_logic := '0';
-  signal overlapping0_h11 : std_logic := '0';
-  signal overlapping1_h11 : std_logic := '0';
-  signal overlapping2_h11 : std_logic := '0';
-  signal overlapping0_h14 : std_logic := '0';
-  signal overlapping1_h14 : std_logic := '0';
-  signal overlapping2_h14 : std_logic := '0';
-  signal overlapping0_h17 : std_logic := '0';
-  signal overlapping1_h17 : std_logic := '0';
-  signal overlapping2_h17 : std_logic := '0';
-  signal overlapping0_h20 : std_logic := '0';
-  signal overlapping1_h20 : std_logic := '0';
-  signal overlapping2_h20 : std_logic := '0';
-  signal overlapping0_h23 : std_logic := '0';
-  signal overlapping1_h23 : std_logic := '0';
-  signal overlapping2_h23 : std_logic := '0';
-  signal overlapping0_h26 : std_logic := '0';
-  signal overlapping1_h26 : std_logic := '0';
-  signal overlapping2_h26 : std_logic := '0';
-  signal overlapping0_h29 : std_logic := '0';
-  signal overlapping1_h29 : std_logic := '0';
-  signal overlapping2_h29 : std_logic := '0';
-  signal overlapping0_h32 : std_logic := '0';
-  signal overlapping1_h32 : std_logic := '0';
-  signal overlapping2_h32 : std_logic := '0';
-  signal overlapping0_h35 : std_logic := '0';
-  signal overlapping1_h35 : std_logic := '0';
-  signal overlapping2_h35 : std_logic := '0';
-  signal overlapping0_h38 : std_logic := '0';
-  signal overlapping1_h38 : std_logic := '0';
-  signal overlapping2_h38 : std_logic := '0';
+  signal overlapping_not_held : flag_3_to_8_x12_t := zero_flag_3_to_8_x12;  -- from clocks 4, 7, ... 37 on
+  signal overlapping_not_held_2 : std_logic_vector(8 downto 4) := (others => '0');  -- from clocks 38, 39 on
+  signal separated0_held : std_logic_vector(3 downto 0) := (others => '0');  -- from clocks 29, 32, ... 38 on
+  signal separated_held_2 : std_logic_vector(3 downto 0) := (others => '0');  -- from clock 40 on
+  signal separated_held : std_logic_vector(8 downto 1) := (others => '0');  -- from clocks 39, 40 on
+  signal separated_6_to_7_held_2 : std_logic_vector(7 downto 6) := (others => '0');  -- from clock 40 on
+  signal overlapping_held : flag_x3_x13_t := zero_flag_x3_x13;  -- from clocks 4, 7, ... 40 on
+  signal overlapping_3_to_8_held : std_logic_vector(8 downto 3) := (others => '0');  -- from clocks 39, 40 on
   signal overlapping3_h3 : std_logic := '0';
-  signal overlapping5_h1 : std_logic := '0';
-  signal overlapping6_h1 : std_logic := '0';
-  signal overlapping7_h1 : std_logic := '0';
-  signal overlapping8_h1 : std_logic := '0';
-  signal outside_h2 : std_logic := '0';
-  signal outside_h5 : std_logic := '0';
-  signal outside_h8 : std_logic := '0';
-  signal outside_h11 : std_logic := '0';
-  signal outside_h14 : std_logic := '0';
-  signal outside_h17 : std_logic := '0';
-  signal outside_h20 : std_logic := '0';
-  signal outside_h23 : std_logic := '0';
-  signal outside_h26 : std_logic := '0';
-  signal outside_h29 : std_logic := '0';
-  signal outside_h32 : std_logic := '0';
-  signal outside_h35 : std_logic := '0';
+  signal overlapping_h2 : std_logic_vector(7 downto 6) := (others => '0');
+  signal outside_held : std_logic_vector(11 downto 0) := (others => '0');  -- from clocks 4, 7, ... 37 on
   signal in_phase_0 : std_logic;
   signal busy_2 : std_logic := '0';  -- set in clocks 1 to 3 of a pair
   signal busy_8 : std_logic := '0';  -- set in clocks 7 to 9 of a pair
   signal busy_26 : std_logic := '0';  -- set in clocks 25 to 27 of a pair
   signal busy_35 : std_logic := '0';  -- set in clocks 34 to 36 of a pair
-  signal busy_2_or_busy_8 : std_logic;
-  signal busy_2_or_busy_8_or_busy_26 : std_logic;
-  signal busy_2_or_busy_8_or_busy_26_or_busy_35 : std_logic;
+  signal busy_2_to_35 : std_logic;  -- a pair comes to clock 2, 8, 26, 35 or is in it
   signal in_phase_1 : std_logic;
   signal busy_3 : std_logic := '0';  -- set in clocks 2 to 4 of a pair
   signal busy_18 : std_logic := '0';  -- set in clocks 17 to 19 of a pair
   signal busy_27 : std_logic := '0';  -- set in clocks 26 to 28 of a pair
-  signal busy_3_or_busy_18 : std_logic;
-  signal busy_3_or_busy_18_or_busy_27 : std_logic;
+  signal busy_3_to_27 : std_logic;  -- a pair comes to clock 3, 18, 27 or is in it
   signal busy_13 : std_logic := '0';  -- set in clocks 12 to 14 of a pair
   signal busy_22 : std_logic := '0';  -- set in clocks 21 to 23 of a pair
   signal busy_34 : std_logic := '0';  -- set in clocks 33 to 35 of a pair
-  signal busy_13_or_busy_22 : std_logic;
-  signal busy_13_or_busy_22_or_busy_34 : std_logic;
+  signal busy_13_to_34 : std_logic;  -- a pair comes to clock 13, 22, 34 or is in it
   signal busy_25 : std_logic := '0';  -- set in clocks 24 to 26 of a pair
-  signal busy_13_or_busy_25 : std_logic;
+  signal busy_13_to_25 : std_logic;  -- a pair comes to clock 13, 25 or is in it
   signal busy_21 : std_logic := '0';  -- set in clocks 20 to 22 of a pair
   signal busy_29 : std_logic := '0';  -- set in clocks 28 to 30 of a pair
-  signal busy_26_or_busy_29 : std_logic;
+  signal busy_26_to_29 : std_logic;  -- a pair comes to clock 26, 29 or is in it
   signal row_turned_unit_m : signed_32_vector_x3_t;
   signal shift_unit_x : signed_33_x5_vector_t;
   signal carried_unit_cut : signed_19_x5_vector_t;
@@ -622,22 +360,12 @@ architecture rtl of pair_pipeline is
   signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
   signal sign_lane_unit_x : signed_41_x5_t;
   signal sign_lane_unit_bound : signed_31_x5_t;
-  signal separated3_result_unit_ends : flag_x2_x2_t;
-  signal separated3_result_unit_sides : flag_x2_x3_t;
-  signal separated4_result_unit_ends : flag_x2_x2_t;
-  signal separated4_result_unit_sides : flag_x2_x3_t;
-  signal separated5_result_unit_ends : flag_x2_x2_t;
-  signal separated5_result_unit_sides : flag_x2_x3_t;
-  signal separated6_result_unit_ends : flag_x2_x2_t;
-  signal separated6_result_unit_sides : flag_x2_x3_t;
-  signal separated7_result_unit_ends : flag_x2_x2_t;
-  signal separated7_result_unit_sides : flag_x2_x3_t;
-  signal separated8_result_unit_ends : flag_x2_x2_t;
-  signal separated8_result_unit_sides : flag_x2_x3_t;
+  signal separated_result_unit_ends : flag_x2_x2_3_to_8_t;
+  signal separated_result_unit_sides : flag_x2_x3_3_to_8_t;
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
 begin
-  -- Strobes, one per phase
+  -- Strobes, one per phase, and flags of pairs
   strobes : process (clk)
   begin
     if rising_edge(clk) then
@@ -649,112 +377,86 @@ begin
   in_phase_2 <= flag(known(phase) = 2);
   in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or holds(4) or holds(5) or holds(6) or holds(7) or holds(8)
       or holds(9) or holds(10) or holds(11) or holds(12) or holds(13) or in_phase_2;
-  overlapping0_constant <= '0';
-  overlapping1_constant <= '0';
-  overlapping2_constant <= '0';
+  overlapping_constant_each : for k in 0 to 2 generate
+    overlapping_constant(k) <= '0';
+  end generate overlapping_constant_each;
   in_phase_0 <= flag(known(phase) = 0);
-  busy_2_or_busy_8 <= busy_2 or busy_8;
-  busy_2_or_busy_8_or_busy_26 <= busy_2_or_busy_8 or busy_26;
-  busy_2_or_busy_8_or_busy_26_or_busy_35 <= busy_2_or_busy_8_or_busy_26 or busy_35;
+  busy_2_to_35 <= busy_2 or busy_8 or busy_26 or busy_35;
   in_phase_1 <= flag(known(phase) = 1);
-  busy_3_or_busy_18 <= busy_3 or busy_18;
-  busy_3_or_busy_18_or_busy_27 <= busy_3_or_busy_18 or busy_27;
-  busy_13_or_busy_22 <= busy_13 or busy_22;
-  busy_13_or_busy_22_or_busy_34 <= busy_13_or_busy_22 or busy_34;
-  busy_13_or_busy_25 <= busy_13 or busy_25;
-  busy_26_or_busy_29 <= busy_26 or busy_29;
+  busy_3_to_27 <= busy_3 or busy_18 or busy_27;
+  busy_13_to_34 <= busy_13 or busy_22 or busy_34;
+  busy_13_to_25 <= busy_13 or busy_25;
+  busy_26_to_29 <= busy_26 or busy_29;
 
   -- Clock 0
-  in_v0_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_v(0)(k), passed => in_v0_inside(k), outside => in_v0_outside(k));
-  end generate in_v0_inside_unit;
-  in_v1_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_v(1)(k), passed => in_v1_inside(k), outside => in_v1_outside(k));
-  end generate in_v1_inside_unit;
-  in_v2_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_v(2)(k), passed => in_v2_inside(k), outside => in_v2_outside(k));
-  end generate in_v2_inside_unit;
-  in_w0_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_w(0)(k), passed => in_w0_inside(k), outside => in_w0_outside(k));
-  end generate in_w0_inside_unit;
-  in_w1_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_w(1)(k), passed => in_w1_inside(k), outside => in_w1_outside(k));
-  end generate in_w1_inside_unit;
-  in_w2_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => in_w(2)(k), passed => in_w2_inside(k), outside => in_w2_outside(k));
-  end generate in_w2_inside_unit;
+  in_v_inside_unit_of : for k in 0 to 2 generate
+    in_v_inside_unit : for m in 0 to 2 generate
+      unit : entity work.guard_coordinate
+        port map (clk => clk, number => in_v(k)(m), passed => in_v_inside(k)(m), outside => in_v_outside(k)(m));
+    end generate in_v_inside_unit;
+  end generate in_v_inside_unit_of;
+  in_w_inside_unit_of : for k in 0 to 2 generate
+    in_w_inside_unit : for m in 0 to 2 generate
+      unit : entity work.guard_coordinate
+        port map (clk => clk, number => in_w(k)(m), passed => in_w_inside(k)(m), outside => in_w_outside(k)(m));
+    end generate in_w_inside_unit;
+  end generate in_w_inside_unit_of;
 
   -- Clock 1
   difference_v1_each : for i in 0 to 2 generate
-    difference_v1(i) <= resize(in_v1_inside(i), 33) - resize(in_v0_inside(i), 33);
-    difference_v2(i) <= resize(in_v2_inside(i), 33) - resize(in_v0_inside(i), 33);
+    difference_v1(i) <= resize(in_v_inside(1)(i), 33) - resize(in_v_inside(0)(i), 33);
+    difference_v2(i) <= resize(in_v_inside(2)(i), 33) - resize(in_v_inside(0)(i), 33);
   end generate difference_v1_each;
   pose_t_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_translation
       port map (clk => clk, number => pose_t_inside_number_h1(k), passed => pose_t_inside(k),
                 outside => pose_t_outside(k));
   end generate pose_t_inside_unit;
-  pose_m0_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => pose_m0_inside_number_h1(k), passed => pose_m0_inside(k),
-                outside => pose_m0_outside(k));
-  end generate pose_m0_inside_unit;
-  pose_m1_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => pose_m1_inside_number_h1(k), passed => pose_m1_inside(k),
-                outside => pose_m1_outside(k));
-  end generate pose_m1_inside_unit;
-  pose_m2_inside_unit : for k in 0 to 2 generate
-    unit : entity work.guard_coordinate
-      port map (clk => clk, number => pose_m2_inside_number_h1(k), passed => pose_m2_inside(k),
-                outside => pose_m2_outside(k));
-  end generate pose_m2_inside_unit;
+  pose_m_inside_unit_of : for k in 0 to 2 generate
+    pose_m_inside_unit : for m in 0 to 2 generate
+      unit : entity work.guard_coordinate
+        port map (clk => clk, number => pose_m_inside_number_h1(k)(m), passed => pose_m_inside(k)(m),
+                  outside => pose_m_outside(k)(m));
+    end generate pose_m_inside_unit;
+  end generate pose_m_inside_unit_of;
 
   -- Clock 2
   moved_each : for i in 0 to 2 generate
-    moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v0_inside(i), 33);
+    moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v_inside(0)(i), 33);
   end generate moved_each;
   row_w_each_of : for k in 0 to 2 generate
     row_w_each : for i in 0 to 2 generate
       row_w(k)(i) <=
-        in_w0_inside(i) when known(row_m_select_at_2) = 0 else
-        in_w1_inside(i) when known(row_m_select_at_2) = 1 else
-        in_w2_inside_h3(i);
+        in_w_inside(0)(i) when known(row_m_select_at_2) = 0 else
+        in_w_inside(1)(i) when known(row_m_select_at_2) = 1 else
+        in_w_inside_h3(2)(i);
     end generate row_w_each;
   end generate row_w_each_of;
-  outside_flags <= unsigned(pose_m2_outside) & unsigned(pose_m1_outside) & unsigned(pose_m0_outside) &
-      unsigned(pose_t_outside) & unsigned(in_w2_outside) & unsigned(in_w1_outside) & unsigned(in_w0_outside) &
-      unsigned(in_v2_outside) & unsigned(in_v1_outside) & unsigned(in_v0_outside);
+  outside_flags <= unsigned(pose_m_outside(2)) & unsigned(pose_m_outside(1)) & unsigned(pose_m_outside(0)) &
+      unsigned(pose_t_outside) & unsigned(in_w_outside(2)) & unsigned(in_w_outside(1)) & unsigned(in_w_outside(0)) &
+      unsigned(in_v_outside(2)) & unsigned(in_v_outside(1)) & unsigned(in_v_outside(0));
   outside_i <= or_reduce(outside_flags);
-  overlapping_i(0) <= overlapping0_constant and not outside_i;
-  overlapping_i(1) <= overlapping1_constant and not outside_i;
-  overlapping_i(2) <= overlapping2_constant and not outside_i;
+  overlapping_i(0) <= overlapping_constant(0) and not outside_i;
+  overlapping_i(1) <= overlapping_constant(1) and not outside_i;
+  overlapping_i(2) <= overlapping_constant(2) and not outside_i;
 
   -- Clock 3
   clock_3 : process (clk)
   begin
     if rising_edge(clk) then
-      pose_m0_inside_d1 <= pose_m0_inside;
+      pose_m_inside_d1 <= pose_m_inside;
       row_w_d1 <= row_w;
-      pose_m1_inside_d1 <= pose_m1_inside;
-      pose_m2_inside_d1 <= pose_m2_inside;
     end if;
   end process clock_3;
   row_same <=
-    in_w0_inside when known(row_m_select_at_0) = 0 else
-    in_w1_inside_h3 when known(row_m_select_at_0) = 1 else
-    in_w2_inside_h3;
-  row_turned_unit_m_0_each : for i in 0 to 2 generate
-    row_turned_unit_m(0)(i) <= pose_m0_inside_d1(i);
-    row_turned_unit_m(1)(i) <= pose_m1_inside_d1(i);
-    row_turned_unit_m(2)(i) <= pose_m2_inside_d1(i);
-  end generate row_turned_unit_m_0_each;
+    in_w_inside(0) when known(row_m_select_at_0) = 0 else
+    in_w_inside_h3(1) when known(row_m_select_at_0) = 1 else
+    in_w_inside_h3(2);
+  row_turned_unit_m_each_of : for k in 0 to 2 generate
+    row_turned_unit_m_each : for i in 0 to 2 generate
+      row_turned_unit_m(k)(i) <= pose_m_inside_d1(k)(i);
+    end generate row_turned_unit_m_each;
+  end generate row_turned_unit_m_each_of;
   row_turned_unit : for k in 0 to 2 generate
     unit : entity work.difference_row
       port map (clk => clk, m => row_turned_unit_m(k), w => row_w_d1(k), turned => row_turned(k));
@@ -773,9 +475,9 @@ begin
   end process clock_8;
   row_moved_each : for k in 0 to 2 generate
     row_moved(k) <=
-      moved_h5(k) when known(row_m_select_at_2) = 0 else
-      moved_h5(k) when known(row_m_select_at_2) = 1 else
-      moved_h8(k);
+      moved_held(1)(k) when known(row_m_select_at_2) = 0 else
+      moved_held(1)(k) when known(row_m_select_at_2) = 1 else
+      moved_held(2)(k);
     row(k) <= resize(row_choice_d1(k), 34) + resize(row_moved(k), 34);
   end generate row_moved_each;
 
@@ -819,13 +521,13 @@ begin
   end process clock_14;
   lane_shifted_unit : for k in 0 to 1 generate
     unit : entity work.coordinate_scale
-      port map (x => lane_d1(k), shift => shift_h1, cut => lane_shifted(k));
+      port map (x => lane_d1(k), shift => shift_held(0), cut => lane_shifted(k));
   end generate lane_shifted_unit;
 
   -- Clock 17
-  taken_x <= carried(0) & unsigned(shift_h4(0));
-  taken_y <= carried(1) & unsigned(shift_h4(1));
-  taken_z <= carried(2) & unsigned(shift_h4(2));
+  taken_x <= carried(0) & unsigned(shift_held(1)(0));
+  taken_y <= carried(1) & unsigned(shift_held(1)(1));
+  taken_z <= carried(2) & unsigned(shift_held(1)(2));
   carried_unit_cut_each_of : for i in 0 to 2 generate
     carried_unit_cut_each : for k in 0 to 4 generate
       carried_unit_cut(i)(k) <= coordinate_cut(k)(i);
@@ -907,11 +609,11 @@ begin
     coordinate_w0(2) when known(row_m_select_at_0) = 1 else
     coordinate_v2(0);
   coordinate_w0_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut2_h2, carried => carried_h1, y => coordinate_w0);
+    port map (cut => coordinate_cut_held(2), carried => carried_h1, y => coordinate_w0);
   coordinate_w1_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut3_h2, carried => carried_h1, y => coordinate_w1);
+    port map (cut => coordinate_cut_held(3), carried => carried_h1, y => coordinate_w1);
   coordinate_w2_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut4_h1, carried => carried_h1, y => coordinate_w2);
+    port map (cut => coordinate_cut_held(4), carried => carried_h1, y => coordinate_w2);
 
   -- Clock 19
   clock_19 : process (clk)
@@ -924,14 +626,14 @@ begin
   moment_lane_cut_unit : for k in 0 to 3 generate
     unit : entity work.moment_component
       port map (clk => clk, plus => moment_plus_d1(k), minus => moment_minus_d1(k), cut => moment_lane_cut(k),
-                too_great => moment_too_great(k)(0));
+                too_great => moment_too_great0(k));
   end generate moment_lane_cut_unit;
 
   -- Clock 20
   coordinate_v1_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut0_h5, carried => carried_h3, y => coordinate_v1);
+    port map (cut => coordinate_cut_h5(0), carried => carried_h3, y => coordinate_v1);
   coordinate_v2_unit : entity work.coordinate_round
-    port map (cut => coordinate_cut1_h5, carried => carried_h3, y => coordinate_v2);
+    port map (cut => coordinate_cut_h5(1), carried => carried_h3, y => coordinate_v2);
 
   -- Clock 21
   e_a1_each : for i in 0 to 2 generate
@@ -940,8 +642,7 @@ begin
 
   -- Clock 22
   level <= axis_level2_h4 when level_less_h3 = '1' else axis_level0_resized_less_choice_h4;
-  too_great_0_found <= or_reduce(unsigned(moment_too_great(3)) & unsigned(moment_too_great(2)) &
-      unsigned(moment_too_great(1)) & unsigned(moment_too_great(0)));
+  too_great_0_found <= or_reduce(unsigned(moment_too_great0));
   too_great_0_so_far <= too_great_0_found or too_great_0_so_far_before;
   e_b_0_each : for i in 0 to 2 generate
     e_b(0)(i) <= resize(coordinate_w1_h4(i), 19) - resize(coordinate_w0_h4(i), 19);
@@ -949,11 +650,11 @@ begin
     e_b(2)(i) <= resize(coordinate_w0_h4(i), 19) - resize(coordinate_w2_h4(i), 19);
     norm_x(0)(i) <=
       resize(coordinate_v1(i), 19) when known(row_m_select_at_1) = 0 else
-      norm_x0_resized_third_h3(i) when known(row_m_select_at_1) = 1 else
+      norm_x_resized_third_h3(0)(i) when known(row_m_select_at_1) = 1 else
       e_b(0)(i);
     norm_x(1)(i) <=
       resize(coordinate_v2(i), 19) when known(row_m_select_at_1) = 0 else
-      norm_x1_resized_third_h3(i) when known(row_m_select_at_1) = 1 else
+      norm_x_resized_third_h3(1)(i) when known(row_m_select_at_1) = 1 else
       e_b(1)(i);
   end generate e_b_0_each;
   norm_x(2) <=
@@ -971,24 +672,24 @@ begin
   rest_of_level_aligned <= append(rest_of_level, 1);
   boxes_v(0) <=
     coordinate_v1(0) when known(row_m_select_at_1) = 0 else
-    coordinate_v1_h3(1) when known(row_m_select_at_1) = 1 else
-    coordinate_v1_h3(2);
+    coordinate_v1_held(0)(1) when known(row_m_select_at_1) = 1 else
+    coordinate_v1_held(0)(2);
   boxes_v(1) <=
     coordinate_v2(0) when known(row_m_select_at_1) = 0 else
-    coordinate_v2_h3(1) when known(row_m_select_at_1) = 1 else
-    coordinate_v2_h3(2);
+    coordinate_v2_held(0)(1) when known(row_m_select_at_1) = 1 else
+    coordinate_v2_held(0)(2);
   boxes_w(0) <=
     coordinate_w0_h4(0) when known(row_m_select_at_1) = 0 else
     coordinate_w0_h4(1) when known(row_m_select_at_1) = 1 else
-    coordinate_w0_h6(2);
+    coordinate_w0_held(1)(2);
   boxes_w(1) <=
     coordinate_w1_h4(0) when known(row_m_select_at_1) = 0 else
     coordinate_w1_h4(1) when known(row_m_select_at_1) = 1 else
-    coordinate_w1_h6(2);
+    coordinate_w1_held(1)(2);
   boxes_w(2) <=
     coordinate_w2_h4(0) when known(row_m_select_at_1) = 0 else
     coordinate_w2_h4(1) when known(row_m_select_at_1) = 1 else
-    coordinate_w2_h6(2);
+    coordinate_w2_held(1)(2);
 
   -- Clock 23
   clock_23 : process (clk)
@@ -1027,15 +728,15 @@ begin
     end if;
   end process clock_26;
   dot_x(0) <=
-    coordinate_w0_h6 when known(row_m_select_at_2) = 0 else
-    coordinate_w1_h9 when known(row_m_select_at_2) = 1 else
-    coordinate_v2_h6;
+    coordinate_w0_held(1) when known(row_m_select_at_2) = 0 else
+    coordinate_w1_held(2) when known(row_m_select_at_2) = 1 else
+    coordinate_v2_held(1);
   dot_x(1) <=
-    coordinate_v1_h6 when known(row_m_select_at_2) = 0 else
-    coordinate_w0_h9 when known(row_m_select_at_2) = 1 else
-    coordinate_w2_h9;
-  dot_x(2) <= coordinate_v2_h6 when lane1_select_at_2 = '1' else coordinate_v1_h6;
-  dot_x(3) <= coordinate_v2_h6 when lane1_select_at_2 = '1' else coordinate_v1_h6;
+    coordinate_v1_held(1) when known(row_m_select_at_2) = 0 else
+    coordinate_w0_held(2) when known(row_m_select_at_2) = 1 else
+    coordinate_w2_held(2);
+  dot_x(2) <= coordinate_v2_held(1) when lane1_select_at_2 = '1' else coordinate_v1_held(1);
+  dot_x(3) <= coordinate_v2_held(1) when lane1_select_at_2 = '1' else coordinate_v1_held(1);
   dot_m(1) <=
     moment_m0 when known(row_m_select_at_2) = 0 else
     moment_m1 when known(row_m_select_at_2) = 1 else
@@ -1052,7 +753,7 @@ begin
   length_x(2) <=
     length_measure(2) when known(row_m_select_at_2) = 0 else
     length_measure(5) when known(row_m_select_at_2) = 1 else
-    length_measure8_h3;
+    length_measure_held(8);
   length_times_g_each : for k in 0 to 2 generate
     length_times_g(k) <= resize(length_x(k), 22) when places_d1 = '1' else append(length_x(k), 1);
   end generate length_times_g_each;
@@ -1064,8 +765,9 @@ begin
   begin
     if rising_edge(clk) then
       dot_x_d1 <= dot_x;
-      dot_m1_d1 <= dot_m(1);
-      dot_m2_d1 <= dot_m(2);
+      for k in 1 to 2 loop
+        dot_m_d1(k) <= dot_m(k);
+      end loop;
       length_times_g_d1 <= length_times_g;
       level_h4_d1 <= level_h4;
       moment_norm_x_d1 <= moment_norm_x;
@@ -1102,23 +804,22 @@ begin
         length_bound(2);
   end generate face_of_vertex_negative_difference_0_each;
   boxes_apart <= or_reduce(unsigned(boxes_apart_along));
-  separated_i(0) <= boxes_apart and separated_not_h26(0);
+  separated_i(0) <= boxes_apart and separated0_not_held(8);
   dot_lane_unit_x(0) <= dot_x0_d2;
   dot_lane_unit_x(1) <= dot_x_d1(1);
   dot_lane_unit_x(2) <= dot_x_d1(2);
   dot_lane_unit_x(3) <= dot_x3_d2;
   dot_lane_unit_m(0) <= dot_m0_d1;
-  dot_lane_unit_m(1) <= dot_m1_d1;
-  dot_lane_unit_m(2) <= dot_m2_d1;
+  dot_lane_unit_m(1) <= dot_m_d1(1);
+  dot_lane_unit_m(2) <= dot_m_d1(2);
   dot_lane_unit_m(3) <= dot_m3_d1;
-  length_measure0_plane_a0_unit_v(0) <= length_measure0_h3;
-  length_measure0_plane_a0_unit_v(1) <= length_measure1_h3;
-  length_measure0_plane_a0_unit_w(0) <= length_measure2_h2;
-  length_measure0_plane_a0_unit_w(1) <= length_measure3_h2;
-  length_measure0_plane_a0_unit_w(2) <= length_measure4_h2;
-  length_measure0_plane_a0_unit_b(0) <= length_measure5_h1;
-  length_measure0_plane_a0_unit_b(1) <= length_measure6_h1;
-  length_measure0_plane_a0_unit_b(2) <= length_measure7_h1;
+  length_measure0_plane_a0_unit_v_each : for k in 0 to 1 generate
+    length_measure0_plane_a0_unit_v(k) <= length_measure_held(k);
+  end generate length_measure0_plane_a0_unit_v_each;
+  length_measure0_plane_a0_unit_w_each : for k in 0 to 2 generate
+    length_measure0_plane_a0_unit_w(k) <= length_measure_held(k + 2);
+    length_measure0_plane_a0_unit_b(k) <= length_measure_held(k + 5);
+  end generate length_measure0_plane_a0_unit_w_each;
   length_measure0_plane_a0 <= length_measure0_plane_a0_unit_plane_a(0);
   bound_plane_a1_sum_first_result <= length_measure0_plane_a0_unit_plane_a(1);
   bound_plane_a2_sum_first_result <= length_measure0_plane_a0_unit_plane_a(2);
@@ -1134,7 +835,7 @@ begin
       port map (clk => clk, x => dot_lane_unit_x(k), m => dot_lane_unit_m(k), dot => dot_lane(k));
   end generate dot_lane_unit;
   length_measure0_plane_a0_unit : entity work.bound_tails
-    port map (clk => clk, v => length_measure0_plane_a0_unit_v, a => length_measure8_h3,
+    port map (clk => clk, v => length_measure0_plane_a0_unit_v, a => length_measure_held(8),
               w => length_measure0_plane_a0_unit_w, b => length_measure0_plane_a0_unit_b, rest => rest_h3,
               plane_a => length_measure0_plane_a0_unit_plane_a, plane_b => length_measure0_plane_a0_unit_plane_b,
               ends => length_measure0_plane_a0_unit_ends, middle => length_measure0_plane_a0_unit_middle);
@@ -1181,11 +882,11 @@ begin
   bound_plane_a0 <= resize(resize(moment_bound(3), 29) + resize(length_measure0_plane_a0_h3, 29), 31) +
       resize(bound_plane_a0_sum_second_h3, 31);
   bound_side00 <= resize(resize(moment_bound(0), 29) + resize(length_measure0_ends0_h3, 29), 31) +
-      resize(resize(face_of_vertex0_h2(0), 30) + resize(face_of_vertex_h1(0)(1), 30), 31);
+      resize(resize(face_of_vertex0_0_h2, 30) + resize(face_of_vertex_h1(0)(1), 30), 31);
   bound_side01 <= resize(resize(moment_bound(1), 29) + resize(length_measure0_ends0_h3, 29), 31) +
       resize(resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(0)(2), 30), 31);
   bound_side20 <= resize(resize(moment_bound(0), 29) + resize(length_measure0_ends1_h3, 29), 31) +
-      resize(resize(face_of_vertex1_h3(0), 30) + resize(face_of_vertex1_h2(1), 30), 31);
+      resize(resize(face_of_vertex1_0_h3, 30) + resize(face_of_vertex1_h2(1), 30), 31);
   bound_side21 <= resize(resize(moment_bound(1), 29) + resize(length_measure0_ends1_h3, 29), 31) +
       resize(resize(face_of_vertex1_h2(1), 30) + resize(face_of_vertex1_h2(2), 30), 31);
   compared_bound(0) <= signed(resize(bound_plane_a0(30 downto 3), 31));
@@ -1219,15 +920,15 @@ begin
   compared_unit_a(0) <= determinant_plane_a0;
   compared_unit_a(1) <= determinant_plane_a1;
   compared_unit_a(2) <= determinant_plane_a2;
-  compared_unit_d(0)(0) <= dot_d1_0_h3;
-  compared_unit_d(0)(1) <= dot_d1_1_h3;
+  compared_unit_d(0)(0) <= dot_d1_h3(0);
+  compared_unit_d(0)(1) <= dot_d1_h3(1);
   compared_unit_d(0)(2) <= dot_d1(2);
   compared_unit_d(1)(0) <= determinant_side20;
   compared_unit_d(1)(1) <= determinant_side21;
   compared_unit_d(1)(2) <= determinant_side22;
-  compared_each : for k in 0 to 1 generate
+  compared_from_4_each : for k in 0 to 1 generate
     compared(k + 4) <= compared_unit_plane_b(k);
-  end generate compared_each;
+  end generate compared_from_4_each;
   determinant_side00 <= compared_unit_side0(0);
   determinant_side01 <= compared_unit_side0(1);
   determinant_side02 <= compared_unit_side0(2);
@@ -1246,50 +947,46 @@ begin
   compared_bound(10) <= signed(resize(bound_side11(32 downto 3), 31));
   compared_bound(11) <= signed(resize(bound_side12(32 downto 3), 31));
   sign_x(0) <=
-    compared0_h3 when known(row_m_select_at_1) = 0 else
+    compared0_held when known(row_m_select_at_1) = 0 else
     compared(5) when known(row_m_select_at_1) = 1 else
-    compared10_h1;
+    compared_held(10);
   sign_x(1) <=
     compared(1) when known(row_m_select_at_1) = 0 else
     compared(6) when known(row_m_select_at_1) = 1 else
-    compared11_h1;
+    compared_held(11);
   sign_x(2) <=
     compared(2) when known(row_m_select_at_1) = 0 else
     compared(7) when known(row_m_select_at_1) = 1 else
-    compared12_h3;
+    compared_held(12);
   sign_x(3) <=
-    compared3_h3 when known(row_m_select_at_1) = 0 else
+    compared3_held when known(row_m_select_at_1) = 0 else
     compared(8) when known(row_m_select_at_1) = 1 else
-    compared13_h3;
+    compared_held(13);
   sign_bound(0) <=
-    compared_bound0_h2 when known(row_m_select_at_1) = 0 else
-    compared_bound5_h2 when known(row_m_select_at_1) = 1 else
+    compared_bound_0_to_2_held(0) when known(row_m_select_at_1) = 0 else
+    compared_bound_held(5) when known(row_m_select_at_1) = 1 else
     compared_bound(10);
   sign_bound(1) <=
-    compared_bound1_h1 when known(row_m_select_at_1) = 0 else
-    compared_bound6_h1 when known(row_m_select_at_1) = 1 else
+    compared_bound_0_to_2_held(1) when known(row_m_select_at_1) = 0 else
+    compared_bound_held(6) when known(row_m_select_at_1) = 1 else
     compared_bound(11);
   sign_bound(2) <=
-    compared_bound2_h1 when known(row_m_select_at_1) = 0 else
-    compared_bound7_h1 when known(row_m_select_at_1) = 1 else
-    compared_bound12_h2;
+    compared_bound_0_to_2_held(2) when known(row_m_select_at_1) = 0 else
+    compared_bound_held(7) when known(row_m_select_at_1) = 1 else
+    compared_bound_12_to_14_held(12);
   sign_bound(3) <=
     compared_bound(3) when known(row_m_select_at_1) = 0 else
-    compared_bound8_h2 when known(row_m_select_at_1) = 1 else
-    compared_bound13_h2;
+    compared_bound_held(8) when known(row_m_select_at_1) = 1 else
+    compared_bound_12_to_14_held(13);
 
   -- Clock 35
   clock_35 : process (clk)
   begin
     if rising_edge(clk) then
-      sign_x0_d1 <= sign_x(0);
-      sign_x1_d1 <= sign_x(1);
-      sign_x2_d1 <= sign_x(2);
-      sign_x3_d1 <= sign_x(3);
-      sign_bound0_d1 <= sign_bound(0);
-      sign_bound1_d1 <= sign_bound(1);
-      sign_bound2_d1 <= sign_bound(2);
-      sign_bound3_d1 <= sign_bound(3);
+      for k in 0 to 3 loop
+        sign_x_d1(k) <= sign_x(k);
+        sign_bound_d1(k) <= sign_bound(k);
+      end loop;
     end if;
   end process clock_35;
   compared(6) <= resize(determinant_side00, 41);
@@ -1300,21 +997,19 @@ begin
   compared(11) <= resize(determinant_side12, 41);
   sign_x(4) <=
     compared(4) when known(row_m_select_at_2) = 0 else
-    compared9_h1 when known(row_m_select_at_2) = 1 else
-    compared14_h3;
+    compared_held(9) when known(row_m_select_at_2) = 1 else
+    compared_held(14);
   sign_bound(4) <=
-    compared_bound4_h2 when known(row_m_select_at_2) = 0 else
+    compared_bound_held(4) when known(row_m_select_at_2) = 0 else
     compared_bound(9) when known(row_m_select_at_2) = 1 else
-    compared_bound14_h2;
-  sign_lane_unit_x(0) <= sign_x0_d1;
-  sign_lane_unit_x(1) <= sign_x1_d1;
-  sign_lane_unit_x(2) <= sign_x2_d1;
-  sign_lane_unit_x(3) <= sign_x3_d1;
+    compared_bound_12_to_14_held(14);
+  sign_lane_unit_x_each : for k in 0 to 3 generate
+    sign_lane_unit_x(k) <= sign_x_d1(k);
+  end generate sign_lane_unit_x_each;
   sign_lane_unit_x(4) <= sign_x4_d1;
-  sign_lane_unit_bound(0) <= sign_bound0_d1;
-  sign_lane_unit_bound(1) <= sign_bound1_d1;
-  sign_lane_unit_bound(2) <= sign_bound2_d1;
-  sign_lane_unit_bound(3) <= sign_bound3_d1;
+  sign_lane_unit_bound_each : for k in 0 to 3 generate
+    sign_lane_unit_bound(k) <= sign_bound_d1(k);
+  end generate sign_lane_unit_bound_each;
   sign_lane_unit_bound(4) <= sign_bound4_d1;
   sign_lane_unit : for k in 0 to 4 generate
     unit : entity work.certain_sign
@@ -1330,99 +1025,73 @@ begin
     end if;
   end process clock_36;
   separated_i(1) <= ((sign(0)(0) and sign(1)(0) and sign(2)(0)) or (sign(0)(1) and sign(1)(1) and sign(2)(1))) and
-      separated1_not_h34;
+      separated1_not_held_2;
 
   -- Clock 37
   separated_i(2) <= ((sign(3)(0) and sign(4)(0) and sign(5)(0)) or (sign(3)(1) and sign(4)(1) and sign(5)(1))) and
-      separated2_not_h35;
-  separated_i(3) <= separated3_result and separated3_not_h35;
-  overlapping_i(3) <= overlapping3_result and overlapping3_not_h35;
-  separated3_result_unit_ends_each : for k in 0 to 1 generate
-    separated3_result_unit_ends(k) <= sign(k + 3);
-  end generate separated3_result_unit_ends_each;
-  separated3_result_unit_sides_each : for k in 0 to 2 generate
-    separated3_result_unit_sides(k) <= sign(k + 6);
-  end generate separated3_result_unit_sides_each;
-  separated4_result_unit_ends_each : for k in 0 to 1 generate
-    separated4_result_unit_ends(k) <= sign(k + 4);
-  end generate separated4_result_unit_ends_each;
-  separated4_result_unit_sides_each : for k in 0 to 2 generate
-    separated4_result_unit_sides(k) <= sign(k + 9);
-  end generate separated4_result_unit_sides_each;
-  separated5_result_unit_ends(0) <= sign(5);
-  separated5_result_unit_ends(1) <= sign3_h3;
-  separated5_result_unit_sides_each : for k in 0 to 2 generate
-    separated5_result_unit_sides(k) <= sign(k + 12);
-  end generate separated5_result_unit_sides_each;
-  separated6_result_unit_ends_each : for k in 0 to 1 generate
-    separated6_result_unit_ends(k) <= sign(k);
-  end generate separated6_result_unit_ends_each;
-  separated6_result_unit_sides(0) <= sign(6);
-  separated6_result_unit_sides(1) <= sign(9);
-  separated6_result_unit_sides(2) <= sign(12);
-  separated7_result_unit_ends_each : for k in 0 to 1 generate
-    separated7_result_unit_ends(k) <= sign(k + 1);
-  end generate separated7_result_unit_ends_each;
-  separated7_result_unit_sides(0) <= sign(7);
-  separated7_result_unit_sides(1) <= sign(10);
-  separated7_result_unit_sides(2) <= sign(13);
-  separated8_result_unit_ends(0) <= sign2_h3;
-  separated8_result_unit_ends(1) <= sign0_h3;
-  separated8_result_unit_sides(0) <= sign(8);
-  separated8_result_unit_sides(1) <= sign(11);
-  separated8_result_unit_sides(2) <= sign(14);
-  separated3_result_unit : entity work.edge_verdict
-    port map (ends => separated3_result_unit_ends, sides => separated3_result_unit_sides, missed => separated3_result,
-              pierces => overlapping3_result);
-  separated4_result_unit : entity work.edge_verdict
-    port map (ends => separated4_result_unit_ends, sides => separated4_result_unit_sides, missed => separated4_result,
-              pierces => overlapping4_result);
-  separated5_result_unit : entity work.edge_verdict
-    port map (ends => separated5_result_unit_ends, sides => separated5_result_unit_sides, missed => separated5_result,
-              pierces => overlapping5_result);
-  separated6_result_unit : entity work.edge_verdict
-    port map (ends => separated6_result_unit_ends, sides => separated6_result_unit_sides, missed => separated6_result,
-              pierces => overlapping6_result);
-  separated7_result_unit : entity work.edge_verdict
-    port map (ends => separated7_result_unit_ends, sides => separated7_result_unit_sides, missed => separated7_result,
-              pierces => overlapping7_result);
-  separated8_result_unit : entity work.edge_verdict
-    port map (ends => separated8_result_unit_ends, sides => separated8_result_unit_sides, missed => separated8_result,
-              pierces => overlapping8_result);
+      separated_not_held(11)(2);
+  separated_i(3) <= separated_result(3) and separated_not_held(11)(3);
+  overlapping_i(3) <= overlapping_result(3) and overlapping_not_held(11)(3);
+  separated_result_unit_ends_3_each : for m in 0 to 1 generate
+    separated_result_unit_ends(3)(m) <= sign(m + 3);
+    separated_result_unit_ends(4)(m) <= sign(m + 4);
+  end generate separated_result_unit_ends_3_each;
+  separated_result_unit_ends(5)(0) <= sign(5);
+  separated_result_unit_ends(5)(1) <= sign_h3(3);
+  separated_result_unit_ends_6_each : for m in 0 to 1 generate
+    separated_result_unit_ends(6)(m) <= sign(m);
+    separated_result_unit_ends(7)(m) <= sign(m + 1);
+  end generate separated_result_unit_ends_6_each;
+  separated_result_unit_ends(8)(0) <= sign_h3(2);
+  separated_result_unit_ends(8)(1) <= sign0_h3;
+  separated_result_unit_sides_3_each : for m in 0 to 2 generate
+    separated_result_unit_sides(3)(m) <= sign(m + 6);
+    separated_result_unit_sides(4)(m) <= sign(m + 9);
+    separated_result_unit_sides(5)(m) <= sign(m + 12);
+  end generate separated_result_unit_sides_3_each;
+  separated_result_unit_sides_0_each : for k in 6 to 8 generate
+    separated_result_unit_sides(k)(0) <= sign(k);
+    separated_result_unit_sides(k)(1) <= sign(k + 3);
+    separated_result_unit_sides(k)(2) <= sign(k + 6);
+  end generate separated_result_unit_sides_0_each;
+  separated_result_unit : for k in 3 to 8 generate
+    unit : entity work.edge_verdict
+      port map (ends => separated_result_unit_ends(k), sides => separated_result_unit_sides(k),
+                missed => separated_result(k), pierces => overlapping_result(k));
+  end generate separated_result_unit;
 
   -- Clock 38
-  separated_i(4) <= separated4_result and separated4_not_h36;
-  separated_i(6) <= separated6_result and separated6_not_h36;
-  separated_i(7) <= separated7_result and separated7_not_h36;
-  overlapping_i(4) <= overlapping4_result and overlapping4_not_h36;
-  overlapping_i(6) <= overlapping6_result and overlapping6_not_h36;
-  overlapping_i(7) <= overlapping7_result and overlapping7_not_h36;
+  separated_i(4) <= separated_result(4) and separated_not_held_2(4);
+  separated_i(6) <= separated_result(6) and separated_not_held_2(6);
+  separated_i(7) <= separated_result(7) and separated_not_held_2(7);
+  overlapping_i(4) <= overlapping_result(4) and overlapping_not_held_2(4);
+  overlapping_i(6) <= overlapping_result(6) and overlapping_not_held_2(6);
+  overlapping_i(7) <= overlapping_result(7) and overlapping_not_held_2(7);
 
   -- Clock 39
-  separated_i(5) <= separated5_result and separated5_not_h37;
-  separated_i(8) <= separated8_result and separated8_not_h37;
-  overlapping_i(5) <= overlapping5_result and overlapping5_not_h37;
-  overlapping_i(8) <= overlapping8_result and overlapping8_not_h37;
+  separated_i(5) <= separated_result(5) and separated_not_held_2(5);
+  separated_i(8) <= separated_result(8) and separated_not_held_2(8);
+  overlapping_i(5) <= overlapping_result(5) and overlapping_not_held_2(5);
+  overlapping_i(8) <= overlapping_result(8) and overlapping_not_held_2(8);
 
   -- Clock 40
-  verdict_unit_separated(0) <= separated0_h12;
-  verdict_unit_separated(1) <= separated1_h4;
-  verdict_unit_separated(2) <= separated2_h3;
-  verdict_unit_separated(3) <= separated3_h3;
-  verdict_unit_separated(4) <= separated4_h2;
-  verdict_unit_separated(5) <= separated5_h1;
-  verdict_unit_separated(6) <= separated6_h2;
-  verdict_unit_separated(7) <= separated7_h2;
-  verdict_unit_separated(8) <= separated8_h1;
-  verdict_unit_overlapping(0) <= overlapping0_h38;
-  verdict_unit_overlapping(1) <= overlapping1_h38;
-  verdict_unit_overlapping(2) <= overlapping2_h38;
+  verdict_unit_separated_each : for k in 0 to 3 generate
+    verdict_unit_separated(k) <= separated_held_2(k);
+  end generate verdict_unit_separated_each;
+  verdict_unit_separated(4) <= separated_held(4);
+  verdict_unit_separated(5) <= separated_held(5);
+  verdict_unit_separated(6) <= separated_6_to_7_held_2(6);
+  verdict_unit_separated(7) <= separated_6_to_7_held_2(7);
+  verdict_unit_separated(8) <= separated_held(8);
+  verdict_unit_overlapping(0) <= overlapping_held(12)(0);
+  verdict_unit_overlapping(1) <= overlapping_held(12)(1);
+  verdict_unit_overlapping(2) <= overlapping_held(12)(2);
   verdict_unit_overlapping(3) <= overlapping3_h3;
-  verdict_unit_overlapping(4) <= overlapping4_h2;
-  verdict_unit_overlapping(5) <= overlapping5_h1;
-  verdict_unit_overlapping(6) <= overlapping6_h2;
-  verdict_unit_overlapping(7) <= overlapping7_h2;
-  verdict_unit_overlapping(8) <= overlapping8_h1;
+  verdict_unit_overlapping(4) <= overlapping_3_to_8_held(4);
+  verdict_unit_overlapping(5) <= overlapping_3_to_8_held(5);
+  verdict_unit_overlapping(6) <= overlapping_h2(6);
+  verdict_unit_overlapping(7) <= overlapping_h2(7);
+  verdict_unit_overlapping(8) <= overlapping_3_to_8_held(8);
   verdict_unit : entity work.pair_verdict
     port map (separated => verdict_unit_separated, overlapping => verdict_unit_overlapping, verdict => verdict);
 
@@ -1430,22 +1099,22 @@ begin
   selectors : process (clk)
   begin
     if rising_edge(clk) then
-      if busy_2_or_busy_8_or_busy_26_or_busy_35 = '1' then
+      if busy_2_to_35 = '1' then
         row_m_select_at_2 <= to_unsigned(row_m_select_at_2_table(to_integer(known(phase))), 2);
       end if;
-      if busy_3_or_busy_18_or_busy_27 = '1' then
+      if busy_3_to_27 = '1' then
         row_m_select_at_0 <= to_unsigned(row_m_select_at_0_table(to_integer(known(phase))), 2);
       end if;
-      if busy_13_or_busy_22_or_busy_34 = '1' then
+      if busy_13_to_34 = '1' then
         row_m_select_at_1 <= to_unsigned(row_m_select_at_1_table(to_integer(known(phase))), 2);
       end if;
-      if busy_13_or_busy_25 = '1' then
+      if busy_13_to_25 = '1' then
         lane1_select_at_1 <= lane1_select_at_1_table(to_integer(known(phase)));
       end if;
       if busy_21 = '1' then
         too_great_0_so_far_select_at_0 <= too_great_0_so_far_select_at_0_table(to_integer(known(phase)));
       end if;
-      if busy_26_or_busy_29 = '1' then
+      if busy_26_to_29 = '1' then
         lane1_select_at_2 <= lane1_select_at_2_table(to_integer(known(phase)));
       end if;
       if busy_27 = '1' then
@@ -1461,25 +1130,20 @@ begin
       if strobe(0) = '1' then
         for k in 0 to 2 loop
           pose_t_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_t(k));
-          pose_m0_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(k));
-          pose_m1_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(k));
-          pose_m2_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(k));
+          for m in 0 to 2 loop
+            pose_m_inside_number_h1(k)(m) <= choose(pose_bypass, to_signed(0, 32), pose_m(k)(m));
+          end loop;
         end loop;
-        in_w2_inside_h3 <= in_w2_inside;
-        moved_h2 <= moved;
-        moved_h5 <= moved_h2;
-        moved_h8 <= moved_h5;
-        in_w1_inside_h3 <= in_w1_inside;
-        pose_bypass_h7 <= pose_bypass_h6;
+        for k in 1 to 2 loop
+          in_w_inside_h3(k) <= in_w_inside(k);
+        end loop;
+        moved_held <= moved & moved_held(0 to 1);
+        pose_bypass_h7 <= pose_bypass_held(1);
         difference(3) <= row(0);
         difference(4) <= row(1);
         difference(5) <= row(2);
-        difference_v1_h3 <= difference_v1;
-        difference_v1_h6 <= difference_v1_h3;
-        difference_v1_h9 <= difference_v1_h6;
-        difference_v2_h3 <= difference_v2;
-        difference_v2_h6 <= difference_v2_h3;
-        difference_v2_h9 <= difference_v2_h6;
+        difference_v1_held <= difference_v1 & difference_v1_held(0 to 1);
+        difference_v2_held <= difference_v2 & difference_v2_held(0 to 1);
         coordinate_cut(2) <= lane_shifted(0);
         coordinate_cut(3) <= lane_shifted(1);
         difference_w1_h3 <= difference_w1;
@@ -1488,32 +1152,23 @@ begin
         level_less_h3 <= less(level_less_resized_first_h1, level_less_resized_second_h1);
         axis_level0_resized_less_choice_h4 <= axis_level0_resized_less_choice_h3;
         axis_level2_h4 <= axis_level2_h3;
-        moment_cut(8) <= moment_lane_cut(0);
-        moment_cut(9) <= moment_lane_cut(1);
-        moment_cut(10) <= moment_lane_cut(2);
-        moment_cut(11) <= moment_lane_cut(3);
+        for k in 0 to 3 loop
+          moment_cut(k + 8) <= moment_lane_cut(k);
+        end loop;
         places_captured <= too_great_0_so_far;
         determinant_plane_a0 <= dot_lane(0);
         dot_d1(2) <= dot_lane(3);
         determinant_plane_b0 <= dot_lane(1);
         determinant_side20 <= dot_lane(2);
-        coordinate_w1_h4 <= coordinate_w1_h3;
-        coordinate_w0_h4 <= coordinate_w0_h3;
-        coordinate_w2_h4 <= coordinate_w2_h3;
+        coordinate_w1_h4 <= coordinate_w1_held(0);
+        coordinate_w0_h4 <= coordinate_w0_held(0);
+        coordinate_w2_h4 <= coordinate_w2_held(0);
         length_measure(0) <= norm_lane(0);
         length_measure(1) <= norm_lane(1);
         length_measure(8) <= norm_lane(2);
         rest_aligned_second_h3 <= append(rest_of_level_aligned, 1);
         rest_of_level_aligned_h3 <= rest_of_level_aligned;
-        length_measure0_h3 <= length_measure(0);
-        length_measure1_h3 <= length_measure(1);
-        length_measure8_h3 <= length_measure(8);
-        length_measure2_h2 <= length_measure(2);
-        length_measure3_h2 <= length_measure(3);
-        length_measure4_h2 <= length_measure(4);
-        length_measure5_h1 <= length_measure(5);
-        length_measure6_h1 <= length_measure(6);
-        length_measure7_h1 <= length_measure(7);
+        length_measure_held <= length_measure;
         rest_h3 <= rest;
         level_h3 <= level;
         length_bound(0) <= length_first(0);
@@ -1531,239 +1186,87 @@ begin
         bound_side12_sum_h1 <= resize(resize(append(moment_bound(2), 1), 31) +
             resize(bound_side12_sum_sum_aligned_second_h3, 31), 32) + resize(bound_of_a, 32);
         bound_side12_result_h5 <= bound_side12_result_h3;
-        face_of_vertex1_h3(0) <= face_of_vertex(1)(0);
-        compared0_h3 <= compared(0);
-        compared12_h3 <= compared(12);
-        compared3_h3 <= compared(3);
-        compared_bound0_h2 <= compared_bound(0);
-        compared_bound12_h2 <= compared_bound(12);
-        compared_bound13_h2 <= compared_bound(13);
-        sign(4) <= sign_lane(4);
-        sign(5) <= sign_lane(0);
-        sign(6) <= sign_lane(1);
-        sign(7) <= sign_lane(2);
-        sign(8) <= sign_lane(3);
-        compared_bound1_h1 <= compared_bound(1);
-        compared_bound2_h1 <= compared_bound(2);
-        for k in 0 to 8 loop
-          separated_not_h2(k) <= not outside_i;
+        face_of_vertex1_0_h3 <= face_of_vertex(1)(0);
+        compared0_held <= compared(0);
+        compared_held(12) <= compared(12);
+        for k in 0 to 2 loop
+          compared_bound_0_to_2_held(k) <= compared_bound(k);
         end loop;
-        separated_not_h5 <= separated_not_h2;
-        separated_not_h8 <= separated_not_h5;
-        separated_not_h11 <= separated_not_h8;
-        separated_not_h14 <= separated_not_h11;
-        separated_not_h17 <= separated_not_h14;
-        separated_not_h20 <= separated_not_h17;
-        separated_not_h23 <= separated_not_h20;
-        separated_not_h26 <= separated_not_h23;
-        separated1_not_h29 <= separated_not_h26(1);
-        separated2_not_h29 <= separated_not_h26(2);
-        separated3_not_h29 <= separated_not_h26(3);
-        separated4_not_h29 <= separated_not_h26(4);
-        separated5_not_h29 <= separated_not_h26(5);
-        separated6_not_h29 <= separated_not_h26(6);
-        separated7_not_h29 <= separated_not_h26(7);
-        separated8_not_h29 <= separated_not_h26(8);
-        separated1_not_h32 <= separated1_not_h29;
-        separated2_not_h32 <= separated2_not_h29;
-        separated3_not_h32 <= separated3_not_h29;
-        separated4_not_h32 <= separated4_not_h29;
-        separated5_not_h32 <= separated5_not_h29;
-        separated6_not_h32 <= separated6_not_h29;
-        separated7_not_h32 <= separated7_not_h29;
-        separated8_not_h32 <= separated8_not_h29;
-        separated2_not_h35 <= separated2_not_h32;
-        separated3_not_h35 <= separated3_not_h32;
-        separated4_not_h35 <= separated4_not_h32;
-        separated5_not_h35 <= separated5_not_h32;
-        separated6_not_h35 <= separated6_not_h32;
-        separated7_not_h35 <= separated7_not_h32;
-        separated8_not_h35 <= separated8_not_h32;
-        overlapping3_not_h2 <= not outside_i;
-        overlapping4_not_h2 <= not outside_i;
-        overlapping5_not_h2 <= not outside_i;
-        overlapping6_not_h2 <= not outside_i;
-        overlapping7_not_h2 <= not outside_i;
-        overlapping8_not_h2 <= not outside_i;
-        overlapping3_not_h5 <= overlapping3_not_h2;
-        overlapping4_not_h5 <= overlapping4_not_h2;
-        overlapping5_not_h5 <= overlapping5_not_h2;
-        overlapping6_not_h5 <= overlapping6_not_h2;
-        overlapping7_not_h5 <= overlapping7_not_h2;
-        overlapping8_not_h5 <= overlapping8_not_h2;
-        overlapping3_not_h8 <= overlapping3_not_h5;
-        overlapping4_not_h8 <= overlapping4_not_h5;
-        overlapping5_not_h8 <= overlapping5_not_h5;
-        overlapping6_not_h8 <= overlapping6_not_h5;
-        overlapping7_not_h8 <= overlapping7_not_h5;
-        overlapping8_not_h8 <= overlapping8_not_h5;
-        overlapping3_not_h11 <= overlapping3_not_h8;
-        overlapping4_not_h11 <= overlapping4_not_h8;
-        overlapping5_not_h11 <= overlapping5_not_h8;
-        overlapping6_not_h11 <= overlapping6_not_h8;
-        overlapping7_not_h11 <= overlapping7_not_h8;
-        overlapping8_not_h11 <= overlapping8_not_h8;
-        overlapping3_not_h14 <= overlapping3_not_h11;
-        overlapping4_not_h14 <= overlapping4_not_h11;
-        overlapping5_not_h14 <= overlapping5_not_h11;
-        overlapping6_not_h14 <= overlapping6_not_h11;
-        overlapping7_not_h14 <= overlapping7_not_h11;
-        overlapping8_not_h14 <= overlapping8_not_h11;
-        overlapping3_not_h17 <= overlapping3_not_h14;
-        overlapping4_not_h17 <= overlapping4_not_h14;
-        overlapping5_not_h17 <= overlapping5_not_h14;
-        overlapping6_not_h17 <= overlapping6_not_h14;
-        overlapping7_not_h17 <= overlapping7_not_h14;
-        overlapping8_not_h17 <= overlapping8_not_h14;
-        overlapping3_not_h20 <= overlapping3_not_h17;
-        overlapping4_not_h20 <= overlapping4_not_h17;
-        overlapping5_not_h20 <= overlapping5_not_h17;
-        overlapping6_not_h20 <= overlapping6_not_h17;
-        overlapping7_not_h20 <= overlapping7_not_h17;
-        overlapping8_not_h20 <= overlapping8_not_h17;
-        overlapping3_not_h23 <= overlapping3_not_h20;
-        overlapping4_not_h23 <= overlapping4_not_h20;
-        overlapping5_not_h23 <= overlapping5_not_h20;
-        overlapping6_not_h23 <= overlapping6_not_h20;
-        overlapping7_not_h23 <= overlapping7_not_h20;
-        overlapping8_not_h23 <= overlapping8_not_h20;
-        overlapping3_not_h26 <= overlapping3_not_h23;
-        overlapping4_not_h26 <= overlapping4_not_h23;
-        overlapping5_not_h26 <= overlapping5_not_h23;
-        overlapping6_not_h26 <= overlapping6_not_h23;
-        overlapping7_not_h26 <= overlapping7_not_h23;
-        overlapping8_not_h26 <= overlapping8_not_h23;
-        overlapping3_not_h29 <= overlapping3_not_h26;
-        overlapping4_not_h29 <= overlapping4_not_h26;
-        overlapping5_not_h29 <= overlapping5_not_h26;
-        overlapping6_not_h29 <= overlapping6_not_h26;
-        overlapping7_not_h29 <= overlapping7_not_h26;
-        overlapping8_not_h29 <= overlapping8_not_h26;
-        overlapping3_not_h32 <= overlapping3_not_h29;
-        overlapping4_not_h32 <= overlapping4_not_h29;
-        overlapping5_not_h32 <= overlapping5_not_h29;
-        overlapping6_not_h32 <= overlapping6_not_h29;
-        overlapping7_not_h32 <= overlapping7_not_h29;
-        overlapping8_not_h32 <= overlapping8_not_h29;
-        overlapping3_not_h35 <= overlapping3_not_h32;
-        overlapping4_not_h35 <= overlapping4_not_h32;
-        overlapping5_not_h35 <= overlapping5_not_h32;
-        overlapping6_not_h35 <= overlapping6_not_h32;
-        overlapping7_not_h35 <= overlapping7_not_h32;
-        overlapping8_not_h35 <= overlapping8_not_h32;
-        separated5_h1 <= separated_i(5);
-        separated8_h1 <= separated_i(8);
-        separated1_h4 <= separated1_h3;
-        separated0_h12 <= separated0_h10;
-        separated2_h3 <= separated2_h2;
-        separated3_h3 <= separated3_h2;
-        separated4_h2 <= separated_i(4);
-        separated6_h2 <= separated6_h1;
-        separated7_h2 <= separated7_h1;
-        overlapping0_h2 <= overlapping_i(0);
-        overlapping1_h2 <= overlapping_i(1);
-        overlapping2_h2 <= overlapping_i(2);
-        overlapping4_h2 <= overlapping_i(4);
-        overlapping6_h2 <= overlapping6_h1;
-        overlapping7_h2 <= overlapping7_h1;
-        overlapping0_h5 <= overlapping0_h2;
-        overlapping1_h5 <= overlapping1_h2;
-        overlapping2_h5 <= overlapping2_h2;
-        overlapping0_h8 <= overlapping0_h5;
-        overlapping1_h8 <= overlapping1_h5;
-        overlapping2_h8 <= overlapping2_h5;
-        overlapping0_h11 <= overlapping0_h8;
-        overlapping1_h11 <= overlapping1_h8;
-        overlapping2_h11 <= overlapping2_h8;
-        overlapping0_h14 <= overlapping0_h11;
-        overlapping1_h14 <= overlapping1_h11;
-        overlapping2_h14 <= overlapping2_h11;
-        overlapping0_h17 <= overlapping0_h14;
-        overlapping1_h17 <= overlapping1_h14;
-        overlapping2_h17 <= overlapping2_h14;
-        overlapping0_h20 <= overlapping0_h17;
-        overlapping1_h20 <= overlapping1_h17;
-        overlapping2_h20 <= overlapping2_h17;
-        overlapping0_h23 <= overlapping0_h20;
-        overlapping1_h23 <= overlapping1_h20;
-        overlapping2_h23 <= overlapping2_h20;
-        overlapping0_h26 <= overlapping0_h23;
-        overlapping1_h26 <= overlapping1_h23;
-        overlapping2_h26 <= overlapping2_h23;
-        overlapping0_h29 <= overlapping0_h26;
-        overlapping1_h29 <= overlapping1_h26;
-        overlapping2_h29 <= overlapping2_h26;
-        overlapping0_h32 <= overlapping0_h29;
-        overlapping1_h32 <= overlapping1_h29;
-        overlapping2_h32 <= overlapping2_h29;
-        overlapping0_h35 <= overlapping0_h32;
-        overlapping1_h35 <= overlapping1_h32;
-        overlapping2_h35 <= overlapping2_h32;
-        overlapping0_h38 <= overlapping0_h35;
-        overlapping1_h38 <= overlapping1_h35;
-        overlapping2_h38 <= overlapping2_h35;
-        overlapping3_h3 <= overlapping3_h2;
-        overlapping5_h1 <= overlapping_i(5);
-        overlapping8_h1 <= overlapping_i(8);
-        outside_h2 <= outside_i;
-        outside_h5 <= outside_h2;
-        outside_h8 <= outside_h5;
-        outside_h11 <= outside_h8;
-        outside_h14 <= outside_h11;
-        outside_h17 <= outside_h14;
-        outside_h20 <= outside_h17;
-        outside_h23 <= outside_h20;
-        outside_h26 <= outside_h23;
-        outside_h29 <= outside_h26;
-        outside_h32 <= outside_h29;
-        outside_h35 <= outside_h32;
-        outside <= outside_h35;
+        for k in 0 to 4 loop
+          sign(k + 4) <= sign_lane((k + 4) mod 5);
+        end loop;
+        compared_bound_12_to_14_held(12) <= compared_bound(12);
+        compared_bound_12_to_14_held(13) <= compared_bound(13);
+        compared3_held <= compared(3);
+        separated0_not_held <= separated0_not_held(7 downto 0) & not outside_i;
+        separated1_not_held <= separated1_not_held(9 downto 0) & not outside_i;
+        for m in 2 to 8 loop
+          separated_not_held(0)(m) <= not outside_i;
+        end loop;
+        separated_not_held(1 to 11) <= separated_not_held(0 to 10);
+        for m in 3 to 8 loop
+          overlapping_not_held(0)(m) <= not outside_i;
+        end loop;
+        overlapping_not_held(1 to 11) <= overlapping_not_held(0 to 10);
+        separated_held_2(0) <= separated0_held(3);
+        separated_held_2(1) <= separated_held(1);
+        separated_held_2(2) <= separated_held(2);
+        separated_held_2(3) <= separated_held(3);
+        separated_held(4) <= separated_i(4);
+        separated_held(5) <= separated_i(5);
+        separated_held(8) <= separated_i(8);
+        for k in 6 to 7 loop
+          separated_6_to_7_held_2(k) <= separated_held(k);
+        end loop;
+        for m in 0 to 2 loop
+          overlapping_held(0)(m) <= overlapping_i(m);
+        end loop;
+        overlapping_held(1 to 12) <= overlapping_held(0 to 11);
+        overlapping_3_to_8_held(4) <= overlapping_i(4);
+        overlapping_3_to_8_held(5) <= overlapping_i(5);
+        overlapping_3_to_8_held(8) <= overlapping_i(8);
+        overlapping3_h3 <= overlapping_3_to_8_held(3);
+        for k in 6 to 7 loop
+          overlapping_h2(k) <= overlapping_3_to_8_held(k);
+        end loop;
+        outside_held <= outside_held(10 downto 0) & outside_i;
+        outside <= outside_held(11);
       end if;
       if strobe(2) = '1' then
-        pose_bypass_h3 <= pose_bypass;
-        pose_bypass_h6 <= pose_bypass_h3;
+        pose_bypass_held(0) <= pose_bypass;
+        pose_bypass_held(1) <= pose_bypass_held(0);
         difference(0) <= row(0);
         difference(1) <= row(1);
         difference(2) <= row(2);
         difference_w0_h3 <= difference_w0;
         coordinate_cut(0) <= lane_shifted(0);
         coordinate_cut(1) <= lane_shifted(1);
-        coordinate_cut0_h3 <= coordinate_cut(0);
-        coordinate_cut1_h3 <= coordinate_cut(1);
+        coordinate_cut_held <= coordinate_cut;
         carried_h1 <= carried;
-        coordinate_cut2_h2 <= coordinate_cut(2);
-        coordinate_cut3_h2 <= coordinate_cut(3);
-        coordinate_cut4_h1 <= coordinate_cut(4);
         taken_x_h1 <= taken_x;
         taken_y_h1 <= taken_y;
         taken_z_h1 <= taken_z;
         axis_level0_resized_less_choice_h3 <= axis_level0_resized_less_choice;
         axis_level2_h3 <= axis_level(2);
-        moment_cut(4) <= moment_lane_cut(0);
-        moment_cut(5) <= moment_lane_cut(1);
-        moment_cut(6) <= moment_lane_cut(2);
-        moment_cut(7) <= moment_lane_cut(3);
+        for k in 0 to 3 loop
+          moment_cut(k + 4) <= moment_lane_cut(k);
+        end loop;
         moment_m2 <= moment_lane(0);
         moment_n <= moment_lane(1);
-        coordinate_w0_h3 <= coordinate_w0;
-        coordinate_w0_h6 <= coordinate_w0_h3;
-        coordinate_w1_h3 <= coordinate_w1;
-        coordinate_w1_h6 <= coordinate_w1_h3;
-        coordinate_w1_h9 <= coordinate_w1_h6;
+        coordinate_w0_held <= coordinate_w0 & coordinate_w0_held(0 to 1);
+        coordinate_w1_held <= coordinate_w1 & coordinate_w1_held(0 to 1);
         determinant_side22 <= dot_lane(0);
-        coordinate_w0_h9 <= coordinate_w0_h6;
-        coordinate_w2_h3 <= coordinate_w2;
-        coordinate_w2_h6 <= coordinate_w2_h3;
-        coordinate_w2_h9 <= coordinate_w2_h6;
+        coordinate_w2_held <= coordinate_w2 & coordinate_w2_held(0 to 1);
         dot_d1(0) <= dot_lane(1);
         dot_d1(1) <= dot_lane(2);
-        dot_d1_0_h3 <= dot_d1(0);
-        dot_d1_1_h3 <= dot_d1(1);
+        for k in 0 to 1 loop
+          dot_d1_h3(k) <= dot_d1(k);
+        end loop;
         coordinate_v2_h1 <= coordinate_v2;
         coordinate_v1_h1 <= coordinate_v1;
         for i in 0 to 2 loop
-          norm_x0_resized_third_h3(i) <= resize(coordinate_w0(i), 19);
-          norm_x1_resized_third_h3(i) <= resize(coordinate_w1(i), 19);
+          norm_x_resized_third_h3(0)(i) <= resize(coordinate_w0(i), 19);
+          norm_x_resized_third_h3(1)(i) <= resize(coordinate_w1(i), 19);
         end loop;
         length_measure(5) <= norm_lane(0);
         length_measure(6) <= norm_lane(1);
@@ -1785,64 +1288,64 @@ begin
         bound_plane_b1_result_h4 <= bound_plane_b1_result_h3;
         bound_plane_b2_result_h4 <= bound_plane_b2_result_h3;
         bound_of_a_aligned_second_h3 <= append(length_bound(8), 1);
-        face_of_vertex0_h2(0) <= face_of_vertex(0)(0);
+        face_of_vertex0_0_h2 <= face_of_vertex(0)(0);
         face_of_vertex1_h2(0) <= face_of_vertex(1)(0);
-        bound_side02_sum_second_h3 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex0_h2(0), 30);
+        bound_side02_sum_second_h3 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex0_0_h2, 30);
         bound_side11_sum_sum_h2 <= resize(append(moment_bound(1), 1), 31) + resize(append(length_bound(6), 1), 31);
         bound_side12_sum_sum_aligned_second_h3 <= append(length_bound(7), 1);
         bound_side22_sum_second_h3 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex1_h2(0), 30);
-        compared14_h3 <= compared(14);
-        compared10_h1 <= compared(10);
-        compared11_h1 <= compared(11);
-        compared9_h1 <= compared(9);
-        sign(0) <= sign_lane(0);
-        sign(1) <= sign_lane(1);
-        sign(2) <= sign_lane(2);
-        sign(3) <= sign_lane(3);
+        compared_held(9) <= compared(9);
+        compared_held(10) <= compared(10);
+        compared_held(11) <= compared(11);
+        compared_held(14) <= compared(14);
+        compared_bound_held(6) <= compared_bound(6);
+        compared_bound_held(7) <= compared_bound(7);
+        for k in 0 to 3 loop
+          sign(k) <= sign_lane(k);
+        end loop;
         sign(14) <= sign_lane(4);
-        compared_bound6_h1 <= compared_bound(6);
-        compared_bound7_h1 <= compared_bound(7);
-        sign3_h3 <= sign(3);
-        sign2_h3 <= sign(2);
         sign0_h3 <= sign(0);
-        separated1_not_h34 <= separated1_not_h32;
-        separated5_not_h37 <= separated5_not_h35;
-        separated8_not_h37 <= separated8_not_h35;
-        overlapping5_not_h37 <= overlapping5_not_h35;
-        overlapping8_not_h37 <= overlapping8_not_h35;
-        separated6_h1 <= separated_i(6);
-        separated7_h1 <= separated_i(7);
-        separated1_h3 <= separated_i(1);
-        separated2_h2 <= separated_i(2);
-        separated3_h2 <= separated_i(3);
-        overlapping3_h2 <= overlapping_i(3);
-        overlapping6_h1 <= overlapping_i(6);
-        overlapping7_h1 <= overlapping_i(7);
+        for k in 2 to 3 loop
+          sign_h3(k) <= sign(k);
+        end loop;
+        separated1_not_held_2 <= separated1_not_held(10);
+        separated_not_held_2(5) <= separated_not_held(11)(5);
+        separated_not_held_2(8) <= separated_not_held(11)(8);
+        overlapping_not_held_2(5) <= overlapping_not_held(11)(5);
+        overlapping_not_held_2(8) <= overlapping_not_held(11)(8);
+        separated_held(1) <= separated_i(1);
+        separated_held(2) <= separated_i(2);
+        separated_held(3) <= separated_i(3);
+        separated_held(6) <= separated_i(6);
+        separated_held(7) <= separated_i(7);
+        overlapping_3_to_8_held(3) <= overlapping_i(3);
+        overlapping_3_to_8_held(6) <= overlapping_i(6);
+        overlapping_3_to_8_held(7) <= overlapping_i(7);
       end if;
       if strobe(1) = '1' then
         difference(6) <= row(0);
         difference(7) <= row(1);
         difference(8) <= row(2);
-        difference_v1_h10 <= difference_v1_h9;
-        difference_v2_h10 <= difference_v2_h9;
+        difference_v1_h10 <= difference_v1_held(2);
+        difference_v2_h10 <= difference_v2_held(2);
         difference_w2_h3 <= difference_w2;
-        shift_h1 <= shift;
+        shift_held(0) <= shift;
+        shift_held(1) <= shift_held(0);
         coordinate_cut(4) <= lane_shifted(0);
-        coordinate_cut0_h5 <= coordinate_cut0_h3;
-        coordinate_cut1_h5 <= coordinate_cut1_h3;
+        for k in 0 to 1 loop
+          coordinate_cut_h5(k) <= coordinate_cut_held(k);
+        end loop;
         carried_h3 <= carried_h1;
-        shift_h4 <= shift_h1;
-        moment_cut(0) <= moment_lane_cut(0);
-        moment_cut(1) <= moment_lane_cut(1);
-        moment_cut(2) <= moment_lane_cut(2);
-        moment_cut(3) <= moment_lane_cut(3);
+        for k in 0 to 3 loop
+          moment_cut(k) <= moment_lane_cut(k);
+        end loop;
         moment_m0 <= moment_lane(0);
         moment_m1 <= moment_lane(1);
-        coordinate_v2_h3 <= coordinate_v2;
-        coordinate_v2_h6 <= coordinate_v2_h3;
+        coordinate_v2_held(0) <= coordinate_v2;
+        coordinate_v2_held(1) <= coordinate_v2_held(0);
         determinant_plane_a1 <= dot_lane(0);
-        coordinate_v1_h3 <= coordinate_v1;
-        coordinate_v1_h6 <= coordinate_v1_h3;
+        coordinate_v1_held(0) <= coordinate_v1;
+        coordinate_v1_held(1) <= coordinate_v1_held(0);
         determinant_plane_a2 <= dot_lane(1);
         determinant_side21 <= dot_lane(3);
         length_measure(2) <= norm_lane(0);
@@ -1870,26 +1373,21 @@ begin
         bound_side11_result_h3 <= bound_side11_result;
         bound_side12_result_h3 <= bound_side12_result;
         length_measure0_ends1_h3 <= length_measure0_ends1;
-        compared13_h3 <= compared(13);
-        compared_bound5_h2 <= compared_bound(5);
-        compared_bound8_h2 <= compared_bound(8);
-        compared_bound4_h2 <= compared_bound(4);
-        compared_bound14_h2 <= compared_bound(14);
-        sign(9) <= sign_lane(4);
-        sign(10) <= sign_lane(0);
-        sign(11) <= sign_lane(1);
-        sign(12) <= sign_lane(2);
-        sign(13) <= sign_lane(3);
-        separated4_not_h36 <= separated4_not_h35;
-        separated6_not_h36 <= separated6_not_h35;
-        separated7_not_h36 <= separated7_not_h35;
-        overlapping4_not_h36 <= overlapping4_not_h35;
-        overlapping6_not_h36 <= overlapping6_not_h35;
-        overlapping7_not_h36 <= overlapping7_not_h35;
-        separated0_h1 <= separated_i(0);
-        separated0_h4 <= separated0_h1;
-        separated0_h7 <= separated0_h4;
-        separated0_h10 <= separated0_h7;
+        compared_held(13) <= compared(13);
+        compared_bound_held(4) <= compared_bound(4);
+        compared_bound_held(5) <= compared_bound(5);
+        compared_bound_held(8) <= compared_bound(8);
+        for k in 0 to 4 loop
+          sign(k + 9) <= sign_lane((k + 4) mod 5);
+        end loop;
+        compared_bound_12_to_14_held(14) <= compared_bound(14);
+        separated_not_held_2(4) <= separated_not_held(11)(4);
+        separated_not_held_2(6) <= separated_not_held(11)(6);
+        separated_not_held_2(7) <= separated_not_held(11)(7);
+        overlapping_not_held_2(4) <= overlapping_not_held(11)(4);
+        overlapping_not_held_2(6) <= overlapping_not_held(11)(6);
+        overlapping_not_held_2(7) <= overlapping_not_held(11)(7);
+        separated0_held <= separated0_held(2 downto 0) & separated_i(0);
       end if;
       for k in 0 to 1 loop
         if strobe(1) = '1' then
@@ -1949,22 +1447,21 @@ begin
   end process state;
 
   -- Outputs
-  separated(0) <= separated0_h12;
-  separated(1) <= separated1_h4;
-  separated(2) <= separated2_h3;
-  separated(3) <= separated3_h3;
-  separated(4) <= separated4_h2;
-  separated(5) <= separated5_h1;
-  separated(6) <= separated6_h2;
-  separated(7) <= separated7_h2;
-  separated(8) <= separated8_h1;
-  overlapping(0) <= overlapping0_h38;
-  overlapping(1) <= overlapping1_h38;
-  overlapping(2) <= overlapping2_h38;
+  separated_each : for k in 0 to 3 generate
+    separated(k) <= separated_held_2(k);
+  end generate separated_each;
+  separated(4) <= separated_held(4);
+  separated(5) <= separated_held(5);
+  separated(6) <= separated_6_to_7_held_2(6);
+  separated(7) <= separated_6_to_7_held_2(7);
+  separated(8) <= separated_held(8);
+  overlapping(0) <= overlapping_held(12)(0);
+  overlapping(1) <= overlapping_held(12)(1);
+  overlapping(2) <= overlapping_held(12)(2);
   overlapping(3) <= overlapping3_h3;
-  overlapping(4) <= overlapping4_h2;
-  overlapping(5) <= overlapping5_h1;
-  overlapping(6) <= overlapping6_h2;
-  overlapping(7) <= overlapping7_h2;
-  overlapping(8) <= overlapping8_h1;
+  overlapping(4) <= overlapping_3_to_8_held(4);
+  overlapping(5) <= overlapping_3_to_8_held(5);
+  overlapping(6) <= overlapping_h2(6);
+  overlapping(7) <= overlapping_h2(7);
+  overlapping(8) <= overlapping_3_to_8_held(8);
 end architecture rtl;

@@ -2,7 +2,7 @@
 --------------------------------------------------------------------------------
 -- The data path of an expansion: D, then in each direction h of A the bound of D, B's codes through the row of h, A's
 -- code of the opposite direction, and the test. Units are shared over the phases of the slot. A value captured for the
--- expansion is named after what it is; later copies end in _h<clocks>.
+-- expansion is named after what it is; later copies end in _h<clocks>, or are elements of x_held.
 -- Latency: 13 clocks.
 --------------------------------------------------------------------------------
 library ieee;
@@ -33,7 +33,7 @@ end entity volume_path;
 
 architecture rtl of volume_path is
   constant d_lane_m_select_at_0_table : numbers_t(0 to 3) := (1, 2, 0, 0);
-  constant b_chosen_select_at_1_0_table : std_logic_vector(0 to 3) := "0101";
+  constant b_chosen0_select_at_1_table : std_logic_vector(0 to 3) := "0101";
   constant axis_bound_operand_select_at_2_table : std_logic_vector(0 to 3) := "1001";
   constant ceiling_table : numbers_t(0 to 15) := (2047, 1023, 511, 255, 127, 63, 31, 15, 7, 3, 1, 0, 0, 0, 0, 0);
   signal d_lane_m : signed_18_vector_t;  -- s1.17; |.| <= 131071
@@ -54,7 +54,7 @@ architecture rtl of volume_path is
   signal axis_bound : signed_27_x2_vector_t;  -- s5.22; |.| <= 33619871
   signal b_code1_h2 : signed_10_x18_t := zero_signed_10_x18;  -- |.| <= 511
   signal b_chosen : signed_10_x18_t;  -- |.| <= 511
-  signal b_chosen_select_at_1 : std_logic_vector(0 downto 0) := (others => '0');
+  signal b_chosen0_select_at_1 : std_logic := '0';
   signal axis_bound_x1_h2 : signed(26 downto 0) := (others => '0');  -- s5.22; |.| <= 33619839
   signal axis_bound_y_h2 : signed_27_x2_t := zero_signed_27_x2;  -- s5.22; |.| <= 33619871
   signal axis_bound_operand_select_at_2 : std_logic := '0';
@@ -109,34 +109,27 @@ architecture rtl of volume_path is
   signal u_d1 : signed_28_x9_t := zero_signed_28_x9;  -- s6.22; |.| <= 100605968
   signal v_d1 : signed_25_x2_x9_t := zero_signed_25_x2_x9;  -- s3.22; |.| <= 16744448
   signal apart : flag_x2_x9_t;
-  signal bound3_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239742
-  signal bound4_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239710
-  signal bound5_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239742
-  signal bound6_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239710
-  signal bound7_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239742
-  signal bound8_d1 : signed(27 downto 0) := (others => '0');  -- s6.22; |.| <= 67239710
+  signal bound_d1 : signed_28_3_to_8_t := zero_signed_28_3_to_8;  -- s6.22; |.| <= 67239742
   signal apart_in_phase_word_d1 : unsigned_9_x2_t := zero_unsigned_9_x2;
   signal apart_in_phase : std_logic_vector(1 downto 0);
   signal apart_found_word_captured_first : flag_x2_x2_t := zero_flag_x2_x2;
   signal apart_found_word_captured_second : flag_x2_x2_t := zero_flag_x2_x2;
   signal apart_found : flag_x2_x2_t;
-  signal survive_and_h4 : std_logic_vector(3 downto 0) := (others => '0');
-  signal survive_and_h8 : std_logic_vector(3 downto 0) := (others => '0');
-  signal survive_and_h12 : std_logic_vector(3 downto 0) := (others => '0');
+  signal survive_and_held : flag_x4_x3_t := zero_flag_x4_x3;  -- from clocks 4, 8, 12 on
   signal survive1_and_h13 : std_logic := '0';
   signal survive3_and_h13 : std_logic := '0';
-  signal holds0_or_in_phase_3 : std_logic;
+  signal busy_0 : std_logic;  -- set in the clock before a pair, and in clock 0 of one
   signal in_phase_0 : std_logic;
   signal busy_2 : std_logic := '0';  -- set in clocks 1 to 4 of a pair
   signal busy_6 : std_logic := '0';  -- set in clocks 5 to 8 of a pair
-  signal busy_2_or_busy_6 : std_logic;
+  signal busy_2_to_6 : std_logic;  -- a pair comes to clock 2, 6 or is in it
   signal term0_unit_codes : signed_10_x6_x9_t;
   signal term1_unit_codes : signed_10_x6_x9_t;
   signal term2_unit_codes : signed_10_x6_x9_t;
   signal s_unit_codes : signed_10_x3_x9_t;
   signal apart_unit_bound : signed_28_x9_t;
 begin
-  -- Strobes, one per phase
+  -- Strobes, one per phase, and flags of pairs
   strobes : process (clk)
   begin
     if rising_edge(clk) then
@@ -147,9 +140,9 @@ begin
   end process strobes;
   in_phase_3 <= flag(known(phase) = 3);
   in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or in_phase_3;
-  holds0_or_in_phase_3 <= holds(0) or in_phase_3;
+  busy_0 <= holds(0) or in_phase_3;
   in_phase_0 <= flag(known(phase) = 0);
-  busy_2_or_busy_6 <= busy_2 or busy_6;
+  busy_2_to_6 <= busy_2 or busy_6;
 
   -- Clock 0
   d_lane_m <=
@@ -174,7 +167,7 @@ begin
       d_lane_o_a_d1 <= d_lane_o_a;
     end if;
   end process clock_1;
-  b_chosen <= b_code1_h2 when b_chosen_select_at_1(0) = '1' else b_code(0);
+  b_chosen <= b_code1_h2 when b_chosen0_select_at_1 = '1' else b_code(0);
   d_lane_unit : entity work.volume_origin_row
     port map (clk => clk, m => d_lane_m_d1, t => d_lane_t_d1, o_b => b_origin_h1, o_a => d_lane_o_a_d1, d => d_lane);
 
@@ -215,16 +208,14 @@ begin
   term0_unit_codes_0_each : for k in 0 to 8 generate
     term0_unit_codes(k)(0) <= b_chosen_d1(0);
     term0_unit_codes(k)(1) <= b_chosen_d1(1);
-    term0_unit_codes(k)(2) <= b_chosen_d1(14);
-    term0_unit_codes(k)(3) <= b_chosen_d1(15);
-    term0_unit_codes(k)(4) <= b_chosen_d1(16);
-    term0_unit_codes(k)(5) <= b_chosen_d1(17);
+    term0_unit_codes_each : for m in 2 to 5 generate
+      term0_unit_codes(k)(m) <= b_chosen_d1(m + 12);
+    end generate term0_unit_codes_each;
     term1_unit_codes(k)(0) <= b_chosen_d1(2);
     term1_unit_codes(k)(1) <= b_chosen_d1(3);
-    term1_unit_codes(k)(2) <= b_chosen_d1(10);
-    term1_unit_codes(k)(3) <= b_chosen_d1(11);
-    term1_unit_codes(k)(4) <= b_chosen_d1(12);
-    term1_unit_codes(k)(5) <= b_chosen_d1(13);
+    term1_unit_codes_each : for m in 2 to 5 generate
+      term1_unit_codes(k)(m) <= b_chosen_d1(m + 8);
+    end generate term1_unit_codes_each;
     term2_unit_codes_each : for m in 0 to 5 generate
       term2_unit_codes(k)(m) <= b_chosen_d1(m + 4);
     end generate term2_unit_codes_each;
@@ -333,11 +324,7 @@ begin
   clock_7 : process (clk)
   begin
     if rising_edge(clk) then
-      if axis_bound_operand_select_at_2 = '1' then
-        axis_bound0_operand_d1(0) <= axis_bound_x1_h2;
-      else
-        axis_bound0_operand_d1(0) <= axis_bound(0)(0);
-      end if;
+      axis_bound0_operand_d1(0) <= choose(axis_bound_operand_select_at_2, axis_bound_x1_h2, axis_bound(0)(0));
       axis_bound0_operand_d1(1) <= choose(axis_bound_operand_select_at_2, axis_bound_y_h2(1), axis_bound(1)(0));
       axis_bound0_operand_d1(2) <= choose(axis_bound_operand_select_at_2, axis_bound(2)(1), axis_bound(2)(0));
       if axis_bound_operand_select_at_2 = '1' then
@@ -352,51 +339,15 @@ begin
       end if;
       s_d2 <= s_d1;
       for m in 0 to 1 loop
-        if axis_bound_operand_select_at_2 = '1' then
-          v_x_d1(0)(m) <= a_code0_h8(m);
-        else
-          v_x_d1(0)(m) <= a_code_h4(m)(1);
-        end if;
-        if axis_bound_operand_select_at_2 = '1' then
-          v_x_d1(1)(m) <= a_code2_h8(m);
-        else
-          v_x_d1(1)(m) <= a_code_h4(m)(3);
-        end if;
-        if axis_bound_operand_select_at_2 = '1' then
-          v_x_d1(2)(m) <= a_code4_h8(m);
-        else
-          v_x_d1(2)(m) <= a_code_h4(m)(5);
-        end if;
-        if axis_bound_operand_select_at_2 = '1' then
-          v_x_d1(3)(m) <= a_code6_h8(m);
-        else
-          v_x_d1(3)(m) <= a_code_h4(m)(7);
-        end if;
-        if axis_bound_operand_select_at_2 = '1' then
-          v_x_d1(4)(m) <= a_code8_h8(m);
-        else
-          v_x_d1(4)(m) <= a_code_h4(m)(9);
-        end if;
-        if axis_bound_operand_select_at_2 = '1' then
-          v_x_d1(5)(m) <= a_code10_h8(m);
-        else
-          v_x_d1(5)(m) <= a_code_h4(m)(11);
-        end if;
-        if axis_bound_operand_select_at_2 = '1' then
-          v_x_d1(6)(m) <= a_code12_h8(m);
-        else
-          v_x_d1(6)(m) <= a_code_h4(m)(13);
-        end if;
-        if axis_bound_operand_select_at_2 = '1' then
-          v_x_d1(7)(m) <= a_code14_h8(m);
-        else
-          v_x_d1(7)(m) <= a_code_h4(m)(15);
-        end if;
-        if axis_bound_operand_select_at_2 = '1' then
-          v_x_d1(8)(m) <= a_code16_h8(m);
-        else
-          v_x_d1(8)(m) <= a_code_h4(m)(17);
-        end if;
+        v_x_d1(0)(m) <= choose(axis_bound_operand_select_at_2, a_code0_h8(m), a_code_h4(m)(1));
+        v_x_d1(1)(m) <= choose(axis_bound_operand_select_at_2, a_code2_h8(m), a_code_h4(m)(3));
+        v_x_d1(2)(m) <= choose(axis_bound_operand_select_at_2, a_code4_h8(m), a_code_h4(m)(5));
+        v_x_d1(3)(m) <= choose(axis_bound_operand_select_at_2, a_code6_h8(m), a_code_h4(m)(7));
+        v_x_d1(4)(m) <= choose(axis_bound_operand_select_at_2, a_code8_h8(m), a_code_h4(m)(9));
+        v_x_d1(5)(m) <= choose(axis_bound_operand_select_at_2, a_code10_h8(m), a_code_h4(m)(11));
+        v_x_d1(6)(m) <= choose(axis_bound_operand_select_at_2, a_code12_h8(m), a_code_h4(m)(13));
+        v_x_d1(7)(m) <= choose(axis_bound_operand_select_at_2, a_code14_h8(m), a_code_h4(m)(15));
+        v_x_d1(8)(m) <= choose(axis_bound_operand_select_at_2, a_code16_h8(m), a_code_h4(m)(17));
       end loop;
     end if;
   end process clock_7;
@@ -424,12 +375,9 @@ begin
       axis_bound0_operand_d2 <= axis_bound0_operand_d1;
       u_d1 <= u;
       v_d1 <= v;
-      bound3_d1 <= bound(3);
-      bound4_d1 <= bound(4);
-      bound5_d1 <= bound(5);
-      bound6_d1 <= bound(6);
-      bound7_d1 <= bound(7);
-      bound8_d1 <= bound(8);
+      for k in 3 to 8 loop
+        bound_d1(k) <= bound(k);
+      end loop;
     end if;
   end process clock_8;
   bound(0) <= resize(axis_bound0_operand_d2(0), 28);
@@ -438,12 +386,9 @@ begin
   apart_unit_bound(0) <= bound(0);
   apart_unit_bound(1) <= bound(1);
   apart_unit_bound(2) <= bound(2);
-  apart_unit_bound(3) <= bound3_d1;
-  apart_unit_bound(4) <= bound4_d1;
-  apart_unit_bound(5) <= bound5_d1;
-  apart_unit_bound(6) <= bound6_d1;
-  apart_unit_bound(7) <= bound7_d1;
-  apart_unit_bound(8) <= bound8_d1;
+  apart_unit_bound_each : for k in 3 to 8 generate
+    apart_unit_bound(k) <= bound_d1(k);
+  end generate apart_unit_bound_each;
   apart_unit : for k in 0 to 8 generate
     unit : entity work.volume_direction_test
       port map (bound => apart_unit_bound(k), u => u_d1(k), v => v_d1(k), apart => apart(k));
@@ -467,8 +412,8 @@ begin
   apart_found_0_each : for k in 0 to 1 generate
     apart_found(k)(0) <= or_reduce(apart_found_word_captured_second(k)(0) & apart_found_word_captured_first(k)(0));
   end generate apart_found_0_each;
-  survive(0) <= survive_and_h12(0) and not apart_found(0)(0);
-  survive(2) <= survive_and_h12(2) and not apart_found(1)(0);
+  survive(0) <= survive_and_held(2)(0) and not apart_found(0)(0);
+  survive(2) <= survive_and_held(2)(2) and not apart_found(1)(0);
 
   -- Clock 13
   apart_found_1_each : for k in 0 to 1 generate
@@ -481,13 +426,13 @@ begin
   selectors : process (clk)
   begin
     if rising_edge(clk) then
-      if holds0_or_in_phase_3 = '1' then
+      if busy_0 = '1' then
         d_lane_m_select_at_0 <= to_unsigned(d_lane_m_select_at_0_table(to_integer(known(phase))), 2);
       end if;
       if holds(0) = '1' then
-        b_chosen_select_at_1(0) <= b_chosen_select_at_1_0_table(to_integer(known(phase)));
+        b_chosen0_select_at_1 <= b_chosen0_select_at_1_table(to_integer(known(phase)));
       end if;
-      if busy_2_or_busy_6 = '1' then
+      if busy_2_to_6 = '1' then
         axis_bound_operand_select_at_2 <= axis_bound_operand_select_at_2_table(to_integer(known(phase)));
       end if;
     end if;
@@ -499,8 +444,8 @@ begin
     if rising_edge(clk) then
       if strobe(0) = '1' then
         b_origin_h1 <= b_origin;
-        survive1_and_h13 <= survive_and_h12(1);
-        survive3_and_h13 <= survive_and_h12(3);
+        survive1_and_h13 <= survive_and_held(2)(1);
+        survive3_and_h13 <= survive_and_held(2)(3);
       end if;
       for k in 0 to 2 loop
         if strobe((k + 3) mod 4) = '1' then
@@ -536,12 +481,11 @@ begin
           a_code16_h8(k) <= a_code_h4(k)(16);
         end loop;
         a_exponent_h4 <= a_exponent;
-        survive_and_h4(0) <= a_take(0) and b_take(0);
-        survive_and_h4(1) <= a_take(0) and b_take(1);
-        survive_and_h4(2) <= a_take(1) and b_take(0);
-        survive_and_h4(3) <= a_take(1) and b_take(1);
-        survive_and_h8 <= survive_and_h4;
-        survive_and_h12 <= survive_and_h8;
+        survive_and_held(0)(0) <= a_take(0) and b_take(0);
+        survive_and_held(0)(1) <= a_take(0) and b_take(1);
+        survive_and_held(0)(2) <= a_take(1) and b_take(0);
+        survive_and_held(0)(3) <= a_take(1) and b_take(1);
+        survive_and_held(1 to 2) <= survive_and_held(0 to 1);
       end if;
       if strobe(1) = '1' then
         query_error_resized_h6 <= query_error_resized_h4;

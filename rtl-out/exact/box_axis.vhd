@@ -33,8 +33,7 @@ architecture rtl of box_axis is
   signal apart_and_first_and_and_and_and_and_and_d1 : std_logic := '0';
   signal v_below_w_d1 : flag_x3_x2_t := zero_flag_x3_x2;
   signal apart_and_second_and_and_d1 : std_logic := '0';
-  signal w_below_v1_1_d1 : std_logic := '0';
-  signal w_below_v1_2_d1 : std_logic := '0';
+  signal w_below_v1_d1 : std_logic_vector(2 downto 1) := (others => '0');
   signal with_0_or_and_first_d1 : std_logic := '0';
   signal with_0_or_and_second_d1 : std_logic := '0';
   signal w_below0_word_any_d1 : std_logic := '0';
@@ -68,8 +67,9 @@ begin
       v_below_w_d1 <= v_below_w;
       apart_and_second_and_and_d1 <= w_below(0) and w_below(1) and w_below(2) and w_below_v(0)(0) and w_below_v(0)(1)
           and w_below_v(0)(2) and w_below_v(1)(0);
-      w_below_v1_1_d1 <= w_below_v(1)(1);
-      w_below_v1_2_d1 <= w_below_v(1)(2);
+      for k in 1 to 2 loop
+        w_below_v1_d1(k) <= w_below_v(1)(k);
+      end loop;
       with_0_or_and_first_d1 <= w_above(0) and w_above(1) and w_above(2);
       with_0_or_and_second_d1 <= w_below(0) and w_below(1) and w_below(2);
       w_below0_word_any_d1 <= or_reduce(unsigned(w_below_v(1)) & unsigned(w_below_v(0)) & unsigned(w_below));
@@ -80,7 +80,7 @@ begin
   end process clock_1;
   apart <= (apart_and_first_and_and_and_and_and_and_d1 and v_below_w_d1(0)(0) and v_below_w_d1(0)(1) and
       v_below_w_d1(0)(2) and v_below_w_d1(1)(0) and v_below_w_d1(1)(1) and v_below_w_d1(1)(2)) or
-      (apart_and_second_and_and_d1 and w_below_v1_1_d1 and w_below_v1_2_d1);
+      (apart_and_second_and_and_d1 and w_below_v1_d1(1) and w_below_v1_d1(2));
   nearly_apart <= (w_above0_word_any_d1 and not w_below0_word_any_d1) or
       (w_below0_word_any_d1 and not w_above0_word_any_d1);
   with_0 <= not (with_0_or_and_first_d1 or with_0_or_and_second_d1);

@@ -38,6 +38,12 @@ package efsat_types is
   type signed_57_x10_t is array (0 to 9) of signed(56 downto 0);
   type signed_36_x12_t is array (0 to 11) of signed(35 downto 0);
   type signed_60_x15_t is array (0 to 14) of signed(59 downto 0);
+  type signed_37_1_to_2_t is array (1 to 2) of signed(36 downto 0);
+  constant zero_signed_37_1_to_2 : signed_37_1_to_2_t := (others => (others => '0'));
+  type signed_38_1_to_2_t is array (1 to 2) of signed(37 downto 0);
+  constant zero_signed_38_1_to_2 : signed_38_1_to_2_t := (others => (others => '0'));
+  type signed_60_4_to_11_t is array (4 to 11) of signed(59 downto 0);
+  constant zero_signed_60_4_to_11 : signed_60_4_to_11_t := (others => (others => '0'));
   type signed_18_vector_t is array (0 to 2) of signed(17 downto 0);
   constant zero_signed_18_vector : signed_18_vector_t := (others => (others => '0'));
   type signed_19_vector_t is array (0 to 2) of signed(18 downto 0);
@@ -63,6 +69,8 @@ package efsat_types is
   type signed_18_x3_x3_t is array (0 to 2) of signed_18_x3_t;
   type signed_32_vector_x3_t is array (0 to 2) of signed_32_vector_t;
   constant zero_signed_32_vector_x3 : signed_32_vector_x3_t := (others => zero_signed_32_vector);
+  type flag_x2_x4_t is array (0 to 3) of std_logic_vector(1 downto 0);
+  constant zero_flag_x2_x4 : flag_x2_x4_t := (others => (others => '0'));
   type signed_36_vector_x4_t is array (0 to 3) of signed_36_vector_t;
   type flag_vector_x5_t is array (0 to 4) of std_logic_vector(2 downto 0);
   type signed_18_vector_x5_t is array (0 to 4) of signed_18_vector_t;
@@ -76,6 +84,16 @@ package efsat_types is
   type signed_36_vector_x10_t is array (0 to 9) of signed_36_vector_t;
   type signed_18_x2_x12_t is array (0 to 11) of signed_18_x2_t;
   type flag_x2_x15_t is array (0 to 14) of std_logic_vector(1 downto 0);
+  type signed_37_1_to_2_3_to_5_t is array (3 to 5) of signed_37_1_to_2_t;
+  constant zero_signed_37_1_to_2_3_to_5 : signed_37_1_to_2_3_to_5_t := (others => zero_signed_37_1_to_2);
+  type signed_38_1_to_2_3_to_5_t is array (3 to 5) of signed_38_1_to_2_t;
+  constant zero_signed_38_1_to_2_3_to_5 : signed_38_1_to_2_3_to_5_t := (others => zero_signed_38_1_to_2);
+  type flag_x2_4_to_5_t is array (4 to 5) of std_logic_vector(1 downto 0);
+  constant zero_flag_x2_4_to_5 : flag_x2_4_to_5_t := (others => (others => '0'));
+  type flag_x2_4_to_11_t is array (4 to 11) of std_logic_vector(1 downto 0);
+  constant zero_flag_x2_4_to_11 : flag_x2_4_to_11_t := (others => (others => '0'));
+  type flag_x2_12_to_14_t is array (12 to 14) of std_logic_vector(1 downto 0);
+  constant zero_flag_x2_12_to_14 : flag_x2_12_to_14_t := (others => (others => '0'));
   type signed_18_x2_vector_t is array (0 to 2) of signed_18_x2_t;
   type flag_x2_x3_x2_t is array (0 to 1) of flag_x2_x3_t;
   type flag_x2_x3_x3_t is array (0 to 2) of flag_x2_x3_t;

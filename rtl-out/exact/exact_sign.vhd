@@ -19,7 +19,7 @@ architecture rtl of exact_sign is
   signal sign_i : std_logic_vector(1 downto 0);
   signal sign0_not_second_equal_constant : signed(59 downto 0);  -- |.| <= 0
 begin
-  -- Strobes, one per phase
+  -- Constants
   sign0_not_second_equal_constant <= to_signed(0, 60);
 
   -- Clock 0

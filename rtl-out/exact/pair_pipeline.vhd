@@ -2,7 +2,7 @@
 --------------------------------------------------------------------------------
 -- The data path of one pair: differences from V0, moments, fifteen determinants, the rule for pairs in one plane,
 -- verdict; nothing is rounded. Units are shared over the phases of the slot. A value captured for the pair is named
--- after what it is; later copies end in _h<clocks>.
+-- after what it is; later copies end in _h<clocks>, or are elements of x_held.
 -- Latency: 16 clocks.
 --------------------------------------------------------------------------------
 library ieee;
@@ -72,14 +72,7 @@ architecture rtl of pair_pipeline is
   signal determinant_side11 : signed(58 downto 0);  -- |.| <= 54042164741537790
   signal determinant_side12 : signed(58 downto 0);  -- |.| <= 54042164741537790
   signal sign : flag_x2_x15_t;
-  signal of_sign4_h1 : signed(59 downto 0) := (others => '0');  -- |.| <= 54042164741537791
-  signal of_sign5_h1 : signed(59 downto 0) := (others => '0');  -- |.| <= 54042164741537791
-  signal of_sign6_h1 : signed(59 downto 0) := (others => '0');  -- |.| <= 13510541185384448
-  signal of_sign7_h1 : signed(59 downto 0) := (others => '0');  -- |.| <= 13510541185384448
-  signal of_sign8_h1 : signed(59 downto 0) := (others => '0');  -- |.| <= 13510541185384448
-  signal of_sign9_h1 : signed(59 downto 0) := (others => '0');  -- |.| <= 54042164741537790
-  signal of_sign10_h1 : signed(59 downto 0) := (others => '0');  -- |.| <= 54042164741537790
-  signal of_sign11_h1 : signed(59 downto 0) := (others => '0');  -- |.| <= 54042164741537790
+  signal of_sign_h1 : signed_60_4_to_11_t := zero_signed_60_4_to_11;  -- |.| <= 54042164741537791
   signal box_lane_apart : std_logic_vector(2 downto 0);
   signal box_lane_nearly_apart : std_logic_vector(2 downto 0);
   signal box_lane_with_0 : std_logic_vector(2 downto 0);
@@ -136,41 +129,20 @@ architecture rtl of pair_pipeline is
   signal lines_apart : std_logic;
   signal lines_crosses : std_logic;
   signal lines_agree : std_logic;
-  type sign3_line_t is array (1 to 4) of std_logic_vector(1 downto 0);
-  signal sign3_line : sign3_line_t := (others => (others => '0'));
-  signal sign12_h4 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign13_h4 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign14_h4 : std_logic_vector(1 downto 0) := (others => '0');
-  type sign0_line_t is array (1 to 4) of std_logic_vector(1 downto 0);
-  signal sign0_line : sign0_line_t := (others => (others => '0'));
-  type sign1_line_t is array (1 to 4) of std_logic_vector(1 downto 0);
-  signal sign1_line : sign1_line_t := (others => (others => '0'));
-  type sign2_line_t is array (1 to 4) of std_logic_vector(1 downto 0);
-  signal sign2_line : sign2_line_t := (others => (others => '0'));
-  signal sign4_h1 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign6_h1 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign7_h1 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign8_h1 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign5_h1 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign9_h1 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign10_h1 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign11_h1 : std_logic_vector(1 downto 0) := (others => '0');
+  type sign_line_t is array (1 to 4) of flag_x2_x4_t;
+  signal sign_line : sign_line_t := (others => zero_flag_x2_x4);
+  signal sign_12_to_14_h4 : flag_x2_12_to_14_t := zero_flag_x2_12_to_14;
+  signal sign_h1 : flag_x2_4_to_11_t := zero_flag_x2_4_to_11;
   signal edge_missed : std_logic_vector(5 downto 0);
   signal edge_hits : std_logic_vector(5 downto 0);
   signal edge_pierces : std_logic_vector(5 downto 0);
-  type sign12_line_t is array (1 to 3) of std_logic_vector(1 downto 0);
-  signal sign12_line : sign12_line_t := (others => (others => '0'));
-  type sign13_line_t is array (1 to 3) of std_logic_vector(1 downto 0);
-  signal sign13_line : sign13_line_t := (others => (others => '0'));
-  type sign14_line_t is array (1 to 3) of std_logic_vector(1 downto 0);
-  signal sign14_line : sign14_line_t := (others => (others => '0'));
+  type sign_h3_line_t is array (1 to 3) of flag_x2_12_to_14_t;
+  signal sign_h3_line : sign_h3_line_t := (others => zero_flag_x2_12_to_14);
   signal inner : std_logic_vector(2 downto 0);
   signal skew_word_h1 : unsigned(17 downto 0) := (others => '0');
   signal skew : std_logic;  -- some side sign is not 0
-  signal sign0_h5 : std_logic_vector(3 downto 0) := (others => '0');
-  signal sign1_h5 : std_logic_vector(3 downto 0) := (others => '0');
-  signal sign4_h2 : std_logic_vector(1 downto 0) := (others => '0');
-  signal sign5_h2 : std_logic_vector(1 downto 0) := (others => '0');
+  signal sign_h5 : flag_x2_x4_t := zero_flag_x2_x4;
+  signal sign_h2 : flag_x2_4_to_5_t := zero_flag_x2_4_to_5;
   signal edge_missed_h1 : std_logic_vector(5 downto 0) := (others => '0');
   signal edge_hits_h1 : std_logic_vector(5 downto 0) := (others => '0');
   signal edge_pierces_h1 : std_logic_vector(5 downto 0) := (others => '0');
@@ -262,41 +234,25 @@ begin
     moment_component_lane_unit_plus(4)(m) <= fitted_d1(m + 3)((m + 2) mod 3);
     moment_component_lane_unit_plus(5)(m) <= fitted_d1(m + 3)(m);
   end generate moment_component_lane_unit_plus_0_each;
-  moment_component_lane_unit_plus(6)(0) <= fitted_d1(4)(1);
-  moment_component_lane_unit_plus(6)(1) <= fitted_d1(2)(2);
-  moment_component_lane_unit_plus(7)(0) <= fitted_d1(4)(2);
-  moment_component_lane_unit_plus(7)(1) <= fitted_d1(2)(0);
-  moment_component_lane_unit_plus(8)(0) <= fitted_d1(4)(0);
-  moment_component_lane_unit_plus(8)(1) <= fitted_d1(2)(1);
+  moment_component_lane_unit_plus_from_6_0_each : for k in 0 to 2 generate
+    moment_component_lane_unit_plus(k + 6)(0) <= fitted_d1(4)((k + 1) mod 3);
+    moment_component_lane_unit_plus(k + 6)(1) <= fitted_d1(2)((k + 2) mod 3);
+  end generate moment_component_lane_unit_plus_from_6_0_each;
   moment_component_lane_unit_plus_9_each : for m in 0 to 1 generate
     moment_component_lane_unit_plus(9)(m) <= fitted_d1(m)(m + 1);
     moment_component_lane_unit_plus(10)(m) <= fitted_d1(m)((m + 2) mod 3);
     moment_component_lane_unit_plus(11)(m) <= fitted_d1(m)(m);
   end generate moment_component_lane_unit_plus_9_each;
-  moment_component_lane_unit_minus(0)(0) <= fitted_d1(2)(2);
-  moment_component_lane_unit_minus(0)(1) <= fitted_d1(3)(1);
-  moment_component_lane_unit_minus(1)(0) <= fitted_d1(2)(0);
-  moment_component_lane_unit_minus(1)(1) <= fitted_d1(3)(2);
-  moment_component_lane_unit_minus(2)(0) <= fitted_d1(2)(1);
-  moment_component_lane_unit_minus(2)(1) <= fitted_d1(3)(0);
-  moment_component_lane_unit_minus(3)(0) <= fitted_d1(3)(2);
-  moment_component_lane_unit_minus(3)(1) <= fitted_d1(4)(1);
-  moment_component_lane_unit_minus(4)(0) <= fitted_d1(3)(0);
-  moment_component_lane_unit_minus(4)(1) <= fitted_d1(4)(2);
-  moment_component_lane_unit_minus(5)(0) <= fitted_d1(3)(1);
-  moment_component_lane_unit_minus(5)(1) <= fitted_d1(4)(0);
-  moment_component_lane_unit_minus(6)(0) <= fitted_d1(4)(2);
-  moment_component_lane_unit_minus(6)(1) <= fitted_d1(2)(1);
-  moment_component_lane_unit_minus(7)(0) <= fitted_d1(4)(0);
-  moment_component_lane_unit_minus(7)(1) <= fitted_d1(2)(2);
-  moment_component_lane_unit_minus(8)(0) <= fitted_d1(4)(1);
-  moment_component_lane_unit_minus(8)(1) <= fitted_d1(2)(0);
-  moment_component_lane_unit_minus(9)(0) <= fitted_d1(0)(2);
-  moment_component_lane_unit_minus(9)(1) <= fitted_d1(1)(1);
-  moment_component_lane_unit_minus(10)(0) <= fitted_d1(0)(0);
-  moment_component_lane_unit_minus(10)(1) <= fitted_d1(1)(2);
-  moment_component_lane_unit_minus(11)(0) <= fitted_d1(0)(1);
-  moment_component_lane_unit_minus(11)(1) <= fitted_d1(1)(0);
+  moment_component_lane_unit_minus_0_each : for k in 0 to 2 generate
+    moment_component_lane_unit_minus(k)(0) <= fitted_d1(2)((k + 2) mod 3);
+    moment_component_lane_unit_minus(k)(1) <= fitted_d1(3)((k + 1) mod 3);
+    moment_component_lane_unit_minus(k + 3)(0) <= fitted_d1(3)((k + 2) mod 3);
+    moment_component_lane_unit_minus(k + 3)(1) <= fitted_d1(4)((k + 1) mod 3);
+    moment_component_lane_unit_minus(k + 6)(0) <= fitted_d1(4)((k + 2) mod 3);
+    moment_component_lane_unit_minus(k + 6)(1) <= fitted_d1(2)((k + 1) mod 3);
+    moment_component_lane_unit_minus(k + 9)(0) <= fitted_d1(0)((k + 2) mod 3);
+    moment_component_lane_unit_minus(k + 9)(1) <= fitted_d1(1)((k + 1) mod 3);
+  end generate moment_component_lane_unit_minus_0_each;
   moment_component_lane_unit : for k in 0 to 11 generate
     unit : entity work.cross_component
       port map (clk => clk, plus => moment_component_lane_unit_plus(k), minus => moment_component_lane_unit_minus(k),
@@ -449,21 +405,17 @@ begin
   cross_in_plane_lane_unit_plus(0) <= cross_in_plane_plus_choice_d1(0);
   cross_in_plane_lane_unit_plus(1) <= cross_in_plane_plus_choice_d1(1);
   cross_in_plane_lane_unit_plus(2) <= cross_in_plane_plus_choice_d1(2);
-  cross_in_plane_lane_unit_plus(3)(0) <= v_in_plane1_d1(0);
-  cross_in_plane_lane_unit_plus(3)(1) <= w_in_plane_d1(0)(1);
-  cross_in_plane_lane_unit_plus(4)(0) <= v_in_plane1_d1(0);
-  cross_in_plane_lane_unit_plus(4)(1) <= w_in_plane_d1(1)(1);
-  cross_in_plane_lane_unit_plus(5)(0) <= v_in_plane1_d1(0);
-  cross_in_plane_lane_unit_plus(5)(1) <= w_in_plane_d1(2)(1);
+  cross_in_plane_lane_unit_plus_from_3_0_each : for k in 0 to 2 generate
+    cross_in_plane_lane_unit_plus(k + 3)(0) <= v_in_plane1_d1(0);
+    cross_in_plane_lane_unit_plus(k + 3)(1) <= w_in_plane_d1(k)(1);
+  end generate cross_in_plane_lane_unit_plus_from_3_0_each;
   cross_in_plane_lane_unit_minus(0) <= cross_in_plane_minus_choice_d1(0);
   cross_in_plane_lane_unit_minus(1) <= cross_in_plane_minus_choice_d1(1);
   cross_in_plane_lane_unit_minus(2) <= cross_in_plane_minus_choice_d1(2);
-  cross_in_plane_lane_unit_minus(3)(0) <= v_in_plane1_d1(1);
-  cross_in_plane_lane_unit_minus(3)(1) <= w_in_plane_d1(0)(0);
-  cross_in_plane_lane_unit_minus(4)(0) <= v_in_plane1_d1(1);
-  cross_in_plane_lane_unit_minus(4)(1) <= w_in_plane_d1(1)(0);
-  cross_in_plane_lane_unit_minus(5)(0) <= v_in_plane1_d1(1);
-  cross_in_plane_lane_unit_minus(5)(1) <= w_in_plane_d1(2)(0);
+  cross_in_plane_lane_unit_minus_from_3_0_each : for k in 0 to 2 generate
+    cross_in_plane_lane_unit_minus(k + 3)(0) <= v_in_plane1_d1(1);
+    cross_in_plane_lane_unit_minus(k + 3)(1) <= w_in_plane_d1(k)(0);
+  end generate cross_in_plane_lane_unit_minus_from_3_0_each;
   cross_in_plane_lane_unit : for k in 0 to 5 generate
     unit : entity work.cross_component
       port map (clk => clk, plus => cross_in_plane_lane_unit_plus(k), minus => cross_in_plane_lane_unit_minus(k),
@@ -537,27 +489,21 @@ begin
   of_sign_unit_d(1)(0) <= determinant_side20;
   of_sign_unit_d(1)(1) <= determinant_side21;
   of_sign_unit_d(1)(2) <= determinant_side22;
-  of_sign_each : for k in 0 to 1 generate
+  of_sign_from_4_each : for k in 0 to 1 generate
     of_sign(k + 4) <= of_sign_unit_plane_b(k);
-  end generate of_sign_each;
+  end generate of_sign_from_4_each;
   determinant_side00 <= of_sign_unit_side0(0);
   determinant_side01 <= of_sign_unit_side0(1);
   determinant_side02 <= of_sign_unit_side0(2);
   determinant_side10 <= of_sign_unit_side1(0);
   determinant_side11 <= of_sign_unit_side1(1);
   determinant_side12 <= of_sign_unit_side1(2);
-  sign_unit_x(0) <= of_sign(0);
-  sign_unit_x(1) <= of_sign(1);
-  sign_unit_x(2) <= of_sign(2);
-  sign_unit_x(3) <= of_sign(3);
-  sign_unit_x(4) <= of_sign4_h1;
-  sign_unit_x(5) <= of_sign5_h1;
-  sign_unit_x(6) <= of_sign6_h1;
-  sign_unit_x(7) <= of_sign7_h1;
-  sign_unit_x(8) <= of_sign8_h1;
-  sign_unit_x(9) <= of_sign9_h1;
-  sign_unit_x(10) <= of_sign10_h1;
-  sign_unit_x(11) <= of_sign11_h1;
+  sign_unit_x_each : for k in 0 to 3 generate
+    sign_unit_x(k) <= of_sign(k);
+  end generate sign_unit_x_each;
+  sign_unit_x_each_2 : for k in 4 to 11 generate
+    sign_unit_x(k) <= of_sign_h1(k);
+  end generate sign_unit_x_each_2;
   sign_unit_x(12) <= of_sign(12);
   sign_unit_x(13) <= of_sign(13);
   sign_unit_x(14) <= of_sign(14);
@@ -607,14 +553,9 @@ begin
   clock_13 : process (clk)
   begin
     if rising_edge(clk) then
-      of_sign4_h1 <= of_sign(4);
-      of_sign5_h1 <= of_sign(5);
-      of_sign6_h1 <= of_sign(6);
-      of_sign7_h1 <= of_sign(7);
-      of_sign8_h1 <= of_sign(8);
-      of_sign9_h1 <= of_sign(9);
-      of_sign10_h1 <= of_sign(10);
-      of_sign11_h1 <= of_sign(11);
+      for k in 4 to 11 loop
+        of_sign_h1(k) <= of_sign(k);
+      end loop;
       parts_h1 <= parts;
       nearly_parts_h1 <= nearly_parts;
       area_h3 <= area_h2;
@@ -631,18 +572,11 @@ begin
   clock_14 : process (clk)
   begin
     if rising_edge(clk) then
-      sign12_h4 <= sign12_line(3);
-      sign13_h4 <= sign13_line(3);
-      sign14_h4 <= sign14_line(3);
-      sign4_h1 <= sign(4);
-      sign6_h1 <= sign(6);
-      sign7_h1 <= sign(7);
-      sign8_h1 <= sign(8);
-      sign5_h1 <= sign(5);
-      sign9_h1 <= sign(9);
-      sign10_h1 <= sign(10);
-      sign11_h1 <= sign(11);
-      skew_word_h1 <= unsigned(sign14_line(3)) & unsigned(sign13_line(3)) & unsigned(sign12_line(3)) &
+      sign_12_to_14_h4 <= sign_h3_line(3);
+      for k in 4 to 11 loop
+        sign_h1(k) <= sign(k);
+      end loop;
+      skew_word_h1 <= unsigned(sign_h3_line(3)(14)) & unsigned(sign_h3_line(3)(13)) & unsigned(sign_h3_line(3)(12)) &
           unsigned(sign(11)) & unsigned(sign(10)) & unsigned(sign(9)) & unsigned(sign(8)) & unsigned(sign(7)) &
           unsigned(sign(6));
       lines_apart_h1 <= lines_apart;
@@ -651,48 +585,37 @@ begin
     end if;
   end process clock_14;
   skew <= or_reduce(skew_word_h1);
-  edge_missed_unit_ends(0)(0) <= sign3_line(4);
-  edge_missed_unit_ends(0)(1) <= sign4_h1;
-  edge_missed_unit_ends(1)(0) <= sign4_h1;
-  edge_missed_unit_ends(1)(1) <= sign5_h1;
-  edge_missed_unit_ends(2)(0) <= sign5_h1;
-  edge_missed_unit_ends(2)(1) <= sign3_line(4);
-  edge_missed_unit_ends(3)(0) <= sign0_line(4);
-  edge_missed_unit_ends(3)(1) <= sign1_line(4);
-  edge_missed_unit_ends(4)(0) <= sign1_line(4);
-  edge_missed_unit_ends(4)(1) <= sign2_line(4);
-  edge_missed_unit_ends(5)(0) <= sign2_line(4);
-  edge_missed_unit_ends(5)(1) <= sign0_line(4);
-  edge_missed_unit_sides(0)(0) <= sign6_h1;
-  edge_missed_unit_sides(0)(1) <= sign7_h1;
-  edge_missed_unit_sides(0)(2) <= sign8_h1;
-  edge_missed_unit_sides(1)(0) <= sign9_h1;
-  edge_missed_unit_sides(1)(1) <= sign10_h1;
-  edge_missed_unit_sides(1)(2) <= sign11_h1;
-  edge_missed_unit_sides(2)(0) <= sign12_h4;
-  edge_missed_unit_sides(2)(1) <= sign13_h4;
-  edge_missed_unit_sides(2)(2) <= sign14_h4;
-  edge_missed_unit_sides(3)(0) <= sign6_h1;
-  edge_missed_unit_sides(3)(1) <= sign9_h1;
-  edge_missed_unit_sides(3)(2) <= sign12_h4;
-  edge_missed_unit_sides(4)(0) <= sign7_h1;
-  edge_missed_unit_sides(4)(1) <= sign10_h1;
-  edge_missed_unit_sides(4)(2) <= sign13_h4;
-  edge_missed_unit_sides(5)(0) <= sign8_h1;
-  edge_missed_unit_sides(5)(1) <= sign11_h1;
-  edge_missed_unit_sides(5)(2) <= sign14_h4;
-  inner_unit_plane_b(0) <= sign3_line(4);
-  inner_unit_plane_b(1) <= sign4_h1;
-  inner_unit_plane_b(2) <= sign5_h1;
-  inner_unit_side(0)(0) <= sign6_h1;
-  inner_unit_side(0)(1) <= sign7_h1;
-  inner_unit_side(0)(2) <= sign8_h1;
-  inner_unit_side(1)(0) <= sign9_h1;
-  inner_unit_side(1)(1) <= sign10_h1;
-  inner_unit_side(1)(2) <= sign11_h1;
-  inner_unit_side(2)(0) <= sign12_h4;
-  inner_unit_side(2)(1) <= sign13_h4;
-  inner_unit_side(2)(2) <= sign14_h4;
+  edge_missed_unit_ends(0)(0) <= sign_line(4)(3);
+  edge_missed_unit_ends(0)(1) <= sign_h1(4);
+  edge_missed_unit_ends_1_each : for m in 0 to 1 generate
+    edge_missed_unit_ends(1)(m) <= sign_h1(m + 4);
+  end generate edge_missed_unit_ends_1_each;
+  edge_missed_unit_ends(2)(0) <= sign_h1(5);
+  edge_missed_unit_ends(2)(1) <= sign_line(4)(3);
+  edge_missed_unit_ends_3_each : for m in 0 to 1 generate
+    edge_missed_unit_ends(3)(m) <= sign_line(4)(m);
+    edge_missed_unit_ends(4)(m) <= sign_line(4)(m + 1);
+  end generate edge_missed_unit_ends_3_each;
+  edge_missed_unit_ends(5)(0) <= sign_line(4)(2);
+  edge_missed_unit_ends(5)(1) <= sign_line(4)(0);
+  edge_missed_unit_sides_0_each : for m in 0 to 2 generate
+    edge_missed_unit_sides(0)(m) <= sign_h1(m + 6);
+    edge_missed_unit_sides(1)(m) <= sign_h1(m + 9);
+    edge_missed_unit_sides(2)(m) <= sign_12_to_14_h4(m + 12);
+  end generate edge_missed_unit_sides_0_each;
+  edge_missed_unit_sides_0_each_2 : for k in 3 to 5 generate
+    edge_missed_unit_sides(k)(0) <= sign_h1(k + 3);
+    edge_missed_unit_sides(k)(1) <= sign_h1(k + 6);
+    edge_missed_unit_sides(k)(2) <= sign_12_to_14_h4(k + 9);
+  end generate edge_missed_unit_sides_0_each_2;
+  inner_unit_plane_b(0) <= sign_line(4)(3);
+  inner_unit_plane_b(1) <= sign_h1(4);
+  inner_unit_plane_b(2) <= sign_h1(5);
+  inner_unit_side_0_each : for m in 0 to 2 generate
+    inner_unit_side(0)(m) <= sign_h1(m + 6);
+    inner_unit_side(1)(m) <= sign_h1(m + 9);
+    inner_unit_side(2)(m) <= sign_12_to_14_h4(m + 12);
+  end generate inner_unit_side_0_each;
   edge_missed_unit : for k in 0 to 5 generate
     unit : entity work.edge_verdict
       port map (ends => edge_missed_unit_ends(k), sides => edge_missed_unit_sides(k), missed => edge_missed(k),
@@ -705,16 +628,10 @@ begin
   clock_15 : process (clk)
   begin
     if rising_edge(clk) then
-      sign0_h5(0) <= sign0_line(4)(0);
-      sign0_h5(1) <= sign1_line(4)(0);
-      sign0_h5(2) <= sign2_line(4)(0);
-      sign0_h5(3) <= sign3_line(4)(0);
-      sign1_h5(0) <= sign0_line(4)(1);
-      sign1_h5(1) <= sign1_line(4)(1);
-      sign1_h5(2) <= sign2_line(4)(1);
-      sign1_h5(3) <= sign3_line(4)(1);
-      sign4_h2 <= sign4_h1;
-      sign5_h2 <= sign5_h1;
+      sign_h5 <= sign_line(4);
+      for k in 4 to 5 loop
+        sign_h2(k) <= sign_h1(k);
+      end loop;
       edge_missed_h1 <= edge_missed;
       edge_hits_h1 <= edge_hits;
       edge_pierces_h1 <= edge_pierces;
@@ -725,14 +642,12 @@ begin
       lines_agree_h2 <= lines_agree_h1;
     end if;
   end process clock_15;
-  verdict_unit_planes_0_0_each : for m in 0 to 2 generate
-    verdict_unit_planes(0)(m)(0) <= sign0_h5(m);
-    verdict_unit_planes(0)(m)(1) <= sign1_h5(m);
-  end generate verdict_unit_planes_0_0_each;
-  verdict_unit_planes(1)(0)(0) <= sign0_h5(3);
-  verdict_unit_planes(1)(0)(1) <= sign1_h5(3);
-  verdict_unit_planes(1)(1) <= sign4_h2;
-  verdict_unit_planes(1)(2) <= sign5_h2;
+  verdict_unit_planes_0_each : for m in 0 to 2 generate
+    verdict_unit_planes(0)(m) <= sign_h5(m);
+  end generate verdict_unit_planes_0_each;
+  verdict_unit_planes(1)(0) <= sign_h5(3);
+  verdict_unit_planes(1)(1) <= sign_h2(4);
+  verdict_unit_planes(1)(2) <= sign_h2(5);
   verdict_unit : entity work.pair_verdict
     port map (clk => clk, planes => verdict_unit_planes, edges_missed => edge_missed_h1, edges_hits => edge_hits_h1,
               edges_pierces => edge_pierces_h1, inner => inner_h1, skew => skew_h1, plane_apart => lines_apart_h2,
@@ -759,13 +674,14 @@ begin
       boxes_with_0_line <= boxes_with_0 & boxes_with_0_line(1 to 5);
       boxes_sides_a_line <= boxes_sides_a & boxes_sides_a_line(1 to 5);
       boxes_sides_b_line <= boxes_sides_b & boxes_sides_b_line(1 to 5);
-      sign3_line <= sign(3) & sign3_line(1 to 3);
-      sign0_line <= sign(0) & sign0_line(1 to 3);
-      sign1_line <= sign(1) & sign1_line(1 to 3);
-      sign2_line <= sign(2) & sign2_line(1 to 3);
-      sign12_line <= sign(12) & sign12_line(1 to 2);
-      sign13_line <= sign(13) & sign13_line(1 to 2);
-      sign14_line <= sign(14) & sign14_line(1 to 2);
+      for k in 0 to 3 loop
+        sign_line(1)(k) <= sign(k);
+      end loop;
+      sign_line(2 to 4) <= sign_line(1 to 3);
+      for k in 12 to 14 loop
+        sign_h3_line(1)(k) <= sign(k);
+      end loop;
+      sign_h3_line(2 to 3) <= sign_h3_line(1 to 2);
       outside_line <= outside_i & outside_line(1 to 12);
     end if;
   end process delays;

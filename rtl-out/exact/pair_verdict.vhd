@@ -91,19 +91,13 @@ begin
   separated(0) <= apart_d1 and not outside_d1;
   separated(1) <= one_side_d1(0) and not outside_d1;
   separated(2) <= one_side_d1(1) and not outside_d1;
-  separated(3) <= edges_missed_d1(0) and not outside_d1;
-  separated(4) <= edges_missed_d1(1) and not outside_d1;
-  separated(5) <= edges_missed_d1(2) and not outside_d1;
-  separated(6) <= edges_missed_d1(3) and not outside_d1;
-  separated(7) <= edges_missed_d1(4) and not outside_d1;
-  separated(8) <= edges_missed_d1(5) and not outside_d1;
+  separated_from_3_each : for k in 0 to 5 generate
+    separated(k + 3) <= edges_missed_d1(k) and not outside_d1;
+  end generate separated_from_3_each;
   overlapping(0) <= crosses and not outside_d1;
   overlapping(1) <= overlapping1_and_d1 and not outside_d1;
   overlapping(2) <= (pierced_d1 or alike) and not outside_d1;
-  overlapping(3) <= edges_hits_d1(0) and not outside_d1;
-  overlapping(4) <= edges_hits_d1(1) and not outside_d1;
-  overlapping(5) <= edges_hits_d1(2) and not outside_d1;
-  overlapping(6) <= edges_hits_d1(3) and not outside_d1;
-  overlapping(7) <= edges_hits_d1(4) and not outside_d1;
-  overlapping(8) <= edges_hits_d1(5) and not outside_d1;
+  overlapping_from_3_each : for k in 0 to 5 generate
+    overlapping(k + 3) <= edges_hits_d1(k) and not outside_d1;
+  end generate overlapping_from_3_each;
 end architecture rtl;

@@ -27,28 +27,18 @@ architecture rtl of plane_sums is
   signal sides_i : signed_38_x3_x6_t;  -- |.| <= 103077642246
   signal n_d1 : signed(35 downto 0) := (others => '0');  -- |.| <= 34359214082
   signal sides1_difference_d1 : signed_37_x3_t := zero_signed_37_x3;  -- |.| <= 68718428164
-  signal sides3_1_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
-  signal sides3_2_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
-  signal sides4_1_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
-  signal sides4_2_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
-  signal sides5_1_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
-  signal sides5_2_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
+  signal sides_difference_d1 : signed_37_1_to_2_3_to_5_t := zero_signed_37_1_to_2_3_to_5;  -- |.| <= 68718428164
   signal sides2_negative_d1 : signed_37_x3_t := zero_signed_37_x3;  -- |.| <= 34359214082
   signal moment_d1 : signed_36_x3_t := zero_signed_36_x3;  -- |.| <= 34359214082
   signal moment_d2 : signed_36_x3_t := zero_signed_36_x3;  -- |.| <= 34359214082
   signal area : signed_38_x2_t;  -- |.| <= 103077642246
   signal area1_sum_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
   signal area_sign_i : flag_x2_x2_t;
-  signal area_sign1_1_d1 : std_logic := '0';
   signal area_sign0_d1 : std_logic_vector(1 downto 0) := (others => '0');
-  signal area_sign1_not_second_equal_d1 : std_logic_vector(0 downto 0) := (others => '0');
+  signal area_sign1_1_d1 : std_logic := '0';
+  signal area_sign1_0_not_second_equal_d1 : std_logic := '0';
   signal sides1_d1 : signed_38_x3_t := zero_signed_38_x3;  -- |.| <= 103077642246
-  signal sides3_1_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
-  signal sides3_2_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
-  signal sides4_1_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
-  signal sides4_2_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
-  signal sides5_1_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
-  signal sides5_2_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
+  signal sides_d1 : signed_38_1_to_2_3_to_5_t := zero_signed_38_1_to_2_3_to_5;  -- |.| <= 103077642246
 begin
   -- Clock 1
   clock_1 : process (clk)
@@ -58,13 +48,10 @@ begin
       n_d1 <= n;
       for k in 0 to 2 loop
         sides1_difference_d1(k) <= resize(x(1)(k), 37) - resize(x(0)(k), 37);
+        for m in 0 to 1 loop
+          sides_difference_d1(k + 3)(m + 1) <= resize(x(m)(k), 37) - resize(x(m)((k + 1) mod 3), 37);
+        end loop;
       end loop;
-      sides3_1_difference_d1 <= resize(x(0)(0), 37) - resize(x(0)(1), 37);
-      sides3_2_difference_d1 <= resize(x(1)(0), 37) - resize(x(1)(1), 37);
-      sides4_1_difference_d1 <= resize(x(0)(1), 37) - resize(x(0)(2), 37);
-      sides4_2_difference_d1 <= resize(x(1)(1), 37) - resize(x(1)(2), 37);
-      sides5_1_difference_d1 <= resize(x(0)(2), 37) - resize(x(0)(0), 37);
-      sides5_2_difference_d1 <= resize(x(1)(2), 37) - resize(x(1)(0), 37);
       moment_d1 <= moment;
       area1_sum_d1 <= resize(moment(0), 37) + resize(moment(1), 37);
     end if;
@@ -72,12 +59,10 @@ begin
   sides_i_1_each : for m in 0 to 2 generate
     sides_i(1)(m) <= resize(n_d1, 38) + resize(sides1_difference_d1(m), 38);
   end generate sides_i_1_each;
-  sides_i(3)(1) <= resize(moment_d1(0), 38) + resize(sides3_1_difference_d1, 38);
-  sides_i(3)(2) <= resize(moment_d1(0), 38) + resize(sides3_2_difference_d1, 38);
-  sides_i(4)(1) <= resize(moment_d1(1), 38) + resize(sides4_1_difference_d1, 38);
-  sides_i(4)(2) <= resize(moment_d1(1), 38) + resize(sides4_2_difference_d1, 38);
-  sides_i(5)(1) <= resize(moment_d1(2), 38) + resize(sides5_1_difference_d1, 38);
-  sides_i(5)(2) <= resize(moment_d1(2), 38) + resize(sides5_2_difference_d1, 38);
+  sides_i_from_3_1_each : for k in 0 to 2 generate
+    sides_i(k + 3)(1) <= resize(moment_d1(k), 38) + resize(sides_difference_d1(k + 3)(1), 38);
+    sides_i(k + 3)(2) <= resize(moment_d1(k), 38) + resize(sides_difference_d1(k + 3)(2), 38);
+  end generate sides_i_from_3_1_each;
   area(0) <= resize(n_d1, 38);
   area(1) <= resize(area1_sum_d1, 38) + resize(moment_d1(2), 38);
   area_sign_i(0)(0) <= not area_sign_i(0)(1) and not flag(known(area(0)) = 0);
@@ -93,16 +78,15 @@ begin
         sides2_negative_d1(k) <= -resize(x_d1(1)(k), 37);
       end loop;
       moment_d2 <= moment_d1;
-      area_sign1_1_d1 <= area_sign_i(1)(1);
       area_sign0_d1 <= area_sign_i(0);
-      area_sign1_not_second_equal_d1(0) <= flag(known(area(1)) = 0);
+      area_sign1_1_d1 <= area_sign_i(1)(1);
+      area_sign1_0_not_second_equal_d1 <= flag(known(area(1)) = 0);
       sides1_d1 <= sides_i(1);
-      sides3_1_d1 <= sides_i(3)(1);
-      sides3_2_d1 <= sides_i(3)(2);
-      sides4_1_d1 <= sides_i(4)(1);
-      sides4_2_d1 <= sides_i(4)(2);
-      sides5_1_d1 <= sides_i(5)(1);
-      sides5_2_d1 <= sides_i(5)(2);
+      for k in 3 to 5 loop
+        for m in 1 to 2 loop
+          sides_d1(k)(m) <= sides_i(k)(m);
+        end loop;
+      end loop;
     end if;
   end process clock_2;
   sides_i_0_each : for m in 0 to 2 generate
@@ -112,21 +96,17 @@ begin
   sides_i(3)(0) <= resize(moment_d2(0), 38);
   sides_i(4)(0) <= resize(moment_d2(1), 38);
   sides_i(5)(0) <= resize(moment_d2(2), 38);
-  area_sign_i(1)(0) <= not area_sign1_1_d1 and not area_sign1_not_second_equal_d1(0);
+  area_sign_i(1)(0) <= not area_sign1_1_d1 and not area_sign1_0_not_second_equal_d1;
 
   -- Outputs
   sides(0) <= sides_i(0);
   sides(1) <= sides1_d1;
   sides(2) <= sides_i(2);
-  sides(3)(0) <= sides_i(3)(0);
-  sides(3)(1) <= sides3_1_d1;
-  sides(3)(2) <= sides3_2_d1;
-  sides(4)(0) <= sides_i(4)(0);
-  sides(4)(1) <= sides4_1_d1;
-  sides(4)(2) <= sides4_2_d1;
-  sides(5)(0) <= sides_i(5)(0);
-  sides(5)(1) <= sides5_1_d1;
-  sides(5)(2) <= sides5_2_d1;
+  sides_0_each : for k in 3 to 5 generate
+    sides(k)(0) <= sides_i(k)(0);
+    sides(k)(1) <= sides_d1(k)(1);
+    sides(k)(2) <= sides_d1(k)(2);
+  end generate sides_0_each;
   area_sign(0) <= area_sign0_d1;
   area_sign(1)(0) <= area_sign_i(1)(0);
   area_sign(1)(1) <= area_sign1_1_d1;

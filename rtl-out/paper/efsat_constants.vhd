@@ -9,43 +9,43 @@ use ieee.std_logic_1164.all;
 
 package efsat_constants is
   -- The unit.
-  constant number_bits : natural := 32;  -- bits of a coordinate
-  constant integral_bits : natural := 4;  -- of them integral, with the sign
-  constant tag_bits : natural := 16;  -- bits of the tag of a pair
-  constant flag_bits : natural := 11;  -- flags of each kind, one for each axis
-  constant clocks_per_pair : natural := 11;  -- clocks from pair to pair, the initiation interval
-  constant latency : natural := 59;  -- clocks from a pair taken to its verdict
-  constant clock_mhz : natural := 100;  -- the target clock in MHz
+  constant efsat_number_bits : natural := 32;  -- bits of a coordinate
+  constant efsat_integral_bits : natural := 4;  -- of them integral, with the sign
+  constant efsat_tag_bits : natural := 16;  -- bits of the tag of a pair
+  constant efsat_flag_bits : natural := 11;  -- flags of each kind, one for each axis
+  constant efsat_clocks_per_pair : natural := 11;  -- clocks from pair to pair, the initiation interval
+  constant efsat_latency : natural := 59;  -- clocks from a pair taken to its verdict
+  constant efsat_clock_mhz : natural := 100;  -- the target clock in MHz
 
   -- Verdicts: out_verdict, and the low bits of an answer.
-  constant verdict_separate : natural := 0;  -- no common point, certainly
-  constant verdict_intersect : natural := 1;  -- a common point, certainly
-  constant verdict_possibly_incorrect : natural := 2;  -- too close for this width
-  constant verdict_report : natural := 3;  -- no verdict: an answer to a pose or to a malformed packet
+  constant efsat_verdict_separate : natural := 0;  -- no common point, certainly
+  constant efsat_verdict_intersect : natural := 1;  -- a common point, certainly
+  constant efsat_verdict_possibly_incorrect : natural := 2;  -- too close for this width
+  constant efsat_verdict_report : natural := 3;  -- no verdict: an answer to a pose or to a malformed packet
 
   -- Packets of the stream: a header word, then records.
-  constant word_bits : natural := 64;  -- bits of a word in
-  constant answer_word_bits : natural := 64;  -- bits of a word out
-  constant pair_words : natural := 10;  -- words of the record of a pair
-  constant pair_numbers : natural := 18;  -- numbers in it
-  constant pose_words : natural := 7;  -- words of the record of a pose
-  constant pose_numbers : natural := 12;  -- numbers in it
-  constant pairs_header : std_logic_vector(31 downto 0) := x"44102001";  -- header of a packet of pairs
-  constant pose_header : std_logic_vector(31 downto 0) := x"44102002";  -- header of a packet of a pose
-  constant stream_clocks_per_pair : natural := 11;  -- clocks from pair to pair in a long packet
+  constant efsat_word_bits : natural := 64;  -- bits of a word in
+  constant efsat_answer_word_bits : natural := 64;  -- bits of a word out
+  constant efsat_pair_words : natural := 10;  -- words of the record of a pair
+  constant efsat_pair_numbers : natural := 18;  -- numbers in it
+  constant efsat_pose_words : natural := 7;  -- words of the record of a pose
+  constant efsat_pose_numbers : natural := 12;  -- numbers in it
+  constant efsat_pairs_header : std_logic_vector(31 downto 0) := x"44102001";  -- header of a packet of pairs
+  constant efsat_pose_header : std_logic_vector(31 downto 0) := x"44102002";  -- header of a packet of a pose
+  constant efsat_stream_clocks_per_pair : natural := 11;  -- clocks from pair to pair in a long packet
 
   -- Bits of a record, counted from bit 0 of its first word.
-  constant record_bypass : natural := 31;  -- of a pose: B = B~, its numbers are not read
-  constant record_tag_low : natural := 32;  -- tag of a pair
-  constant record_number_low : natural := 64;  -- number 0
-  constant record_number_step : natural := 32;  -- from number to number, each sign-extended
+  constant efsat_record_bypass : natural := 31;  -- of a pose: B = B~, its numbers are not read
+  constant efsat_record_tag_low : natural := 32;  -- tag of a pair
+  constant efsat_record_number_low : natural := 64;  -- number 0
+  constant efsat_record_number_step : natural := 32;  -- from number to number, each sign-extended
 
   -- Bits of an answer.
-  constant answer_verdict_low : natural := 0;  -- verdict, two bits
-  constant answer_reason_low : natural := 2;  -- of a report: its reason, two bits
-  constant answer_outside : natural := 4;  -- a number is outside its declared range
-  constant answer_malformed : natural := 7;  -- of a report: the packet was malformed
-  constant answer_tag_low : natural := 8;  -- tag of the pair
-  constant answer_separated_low : natural := 24;  -- out_separated
-  constant answer_overlapping_low : natural := 35;  -- out_overlapping
+  constant efsat_answer_verdict_low : natural := 0;  -- verdict, two bits
+  constant efsat_answer_reason_low : natural := 2;  -- of a report: its reason, two bits
+  constant efsat_answer_outside : natural := 4;  -- a number is outside its declared range
+  constant efsat_answer_malformed : natural := 7;  -- of a report: the packet was malformed
+  constant efsat_answer_tag_low : natural := 8;  -- tag of the pair
+  constant efsat_answer_separated_low : natural := 24;  -- out_separated
+  constant efsat_answer_overlapping_low : natural := 35;  -- out_overlapping
 end package efsat_constants;

@@ -1,7 +1,8 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
--- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.
+-- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or
+-- are elements of x_held.
 -- Latency: 55 clocks.
 --------------------------------------------------------------------------------
 library ieee;
@@ -33,8 +34,8 @@ architecture rtl of pair_pipeline is
   constant row_diagonal_at_0_2_table : std_logic_vector(0 to 15) := "01001001000" & "00000";
   constant row_x_select_at_0_table : numbers_t(0 to 15) := (0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0, others => 0);
   constant lane_input_select_at_10_table : numbers_t(0 to 15) := (2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, others => 0);
-  constant lane2_operand_select_tap_at_1_table : numbers_t(0 to 15) := (11, 12, 13, 14, 4, 2, 0, 7, 8, 9, 10, others => 0);
-  constant lane1_operand_select_tap_at_1_table : numbers_t(0 to 15) := (12, 13, 14, 15, 5, 3, 1, 8, 9, 10, 11, others => 0);
+  constant lane_operand_select_tap_at_1_2_table : numbers_t(0 to 15) := (11, 12, 13, 14, 4, 2, 0, 7, 8, 9, 10, others => 0);
+  constant lane_operand_select_tap_at_1_1_table : numbers_t(0 to 15) := (12, 13, 14, 15, 5, 3, 1, 8, 9, 10, 11, others => 0);
   constant lane_from_input_at_1_table : std_logic_vector(0 to 15) := "11110000111" & "00000";
   constant magnitude_so_far_select_at_2_table : std_logic_vector(0 to 15) := "01000000000" & "00000";
   constant lane_edge_rounding_at_5_table : std_logic_vector(0 to 15) := "00000101000" & "00000";
@@ -72,17 +73,15 @@ architecture rtl of pair_pipeline is
   signal in_v0_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
   signal in_v0_outside : std_logic_vector(2 downto 0);
   signal in_v0_inside_h9 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 268435456
-  signal in_v1_h11 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
-  signal in_v2_h11 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
+  signal in_v_h11 : signed_32_vector_1_to_2_t := zero_signed_32_vector_1_to_2;  -- s4.28; |.| <= 2147483648
   signal lane_input : signed_32_vector_t;  -- s4.28; |.| <= 2147483648
   signal lane_input_select_at_10 : unsigned(1 downto 0) := (others => '0');
   signal lane_input_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 2147483648
-  signal lane0_input_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
-  signal lane0_input_outside : std_logic_vector(2 downto 0);
+  signal lane_input_inside : signed_32_x3_t;  -- s4.28; |.| <= 268435456
+  signal lane_input_outside : std_logic_vector(2 downto 0);
   signal row_d1 : interval_32_t := zero_interval_32;  -- s4.28; |.| <= 1879048192
   signal row_d2 : interval_32_t := zero_interval_32;  -- s4.28; |.| <= 1879048192
-  signal lane2_operand_select_tap_at_1 : unsigned(3 downto 0) := (others => '0');
-  signal lane1_operand_select_tap_at_1 : unsigned(3 downto 0) := (others => '0');
+  signal lane_operand_select_tap_at_1 : unsigned_4_1_to_2_t := zero_unsigned_4_1_to_2;
   signal lane_operand : interval_32_vector_t;  -- s4.28; |.| <= 1879048192
   signal lane_from_input_at_1 : std_logic := '0';
   signal lane : interval_32_vector_t;  -- s4.28; |.| <= 1879048192
@@ -106,11 +105,9 @@ architecture rtl of pair_pipeline is
   signal scaled_case : unsigned_2_vector_t;
   signal v0_hi : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v0_lo : signed_18_vector_t;  -- s2.16; |.| <= 0
-  signal v1 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v2 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v1_case : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v2_case : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal v : interval_18_vector_1_to_2_t := zero_interval_18_vector_1_to_2;  -- s2.16; |.| <= 65536
   signal v0_case : unsigned_2_vector_t;
+  signal v_case : unsigned_2_vector_1_to_2_t := zero_unsigned_2_vector_1_to_2;
   signal w : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- s2.16; |.| <= 65536
   signal w_case : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;
   signal scaled_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
@@ -128,8 +125,7 @@ architecture rtl of pair_pipeline is
   signal outside_so_far_before : std_logic := '0';
   signal outside_so_far : std_logic;
   signal outside_in_phases : std_logic := '0';
-  signal in_v0_outside_h11 : std_logic_vector(2 downto 0) := (others => '0');
-  signal in_v0_outside_h22 : std_logic_vector(2 downto 0) := (others => '0');
+  signal in_v0_outside_held : flag_x3_x2_t := zero_flag_x3_x2;  -- from clocks 12, 23 on
   signal outside_flags : unsigned(3 downto 0);
   signal outside_i : std_logic;  -- a number of the pair or its pose is outside its declared range
   signal axis_e_select_tap_at_10 : unsigned(3 downto 0) := (others => '0');
@@ -147,25 +143,19 @@ architecture rtl of pair_pipeline is
   signal axis_l_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65539
   signal axis_l_case : unsigned_2_vector_t;
   signal v0_hi_h11 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
-  signal v1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v2_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal v_h11 : interval_18_vector_1_to_2_t := zero_interval_18_vector_1_to_2;  -- s2.16; |.| <= 65536
   signal v0_hi_h13 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal axis_l_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65539
   signal axis_l_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal p : interval_18_x6_t;  -- |.| <= 98309
   signal v1_h12 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v1_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v2_case_h10 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w0_h9 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w0_case_h8 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w1_h8 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w1_case_h7 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w2_h7 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w2_case_h6 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal v_case_held : unsigned_2_vector_1_to_2_t := zero_unsigned_2_vector_1_to_2;  -- from clock 39 on
+  signal w_held : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- s2.16; |.| <= 65536; from clock 39 on
+  signal w_case_held : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;  -- from clock 39 on
   signal p_d1 : interval_18_x6_t := zero_interval_18_x6;  -- |.| <= 98309
   signal axis_separated : std_logic;
   signal axis_overlapping : std_logic;
-  signal outside_h11 : std_logic := '0';
+  signal outside_held : std_logic_vector(1 downto 0) := (others => '0');  -- from clocks 34, 45 on
   signal outside_h21 : std_logic := '0';
   signal axis_outside_not : std_logic;
   signal axis_counts_separated : std_logic;
@@ -174,8 +164,7 @@ architecture rtl of pair_pipeline is
   signal overlapping_i : std_logic_vector(10 downto 0) := (others => '0');
   signal separate : std_logic;
   signal surely : std_logic;
-  signal outside_h22 : std_logic := '0';
-  signal holds0_or_in_phase_10 : std_logic;
+  signal busy_0 : std_logic;  -- set in the clock before a pair, and in clock 0 of one
   signal in_phase_8 : std_logic;
   signal busy_10 : std_logic := '0';  -- set in clocks 9 to 19 of a pair
   signal busy_12 : std_logic := '0';  -- set in clocks 11 to 21 of a pair
@@ -198,7 +187,7 @@ architecture rtl of pair_pipeline is
   signal p_unit_v : interval_18_vector_x6_t;
   signal p_unit_v_case : unsigned_2_vector_x6_t;
 begin
-  -- Strobes, one per phase
+  -- Strobes, one per phase, and flags of pairs
   strobes : process (clk)
   begin
     if rising_edge(clk) then
@@ -213,7 +202,7 @@ begin
     v0_lo(i) <= to_signed(0, 18);
     v0_case(i) <= to_unsigned(0, 2);
   end generate v0_lo_each;
-  holds0_or_in_phase_10 <= holds(0) or in_phase_10;
+  busy_0 <= holds(0) or in_phase_10;
   in_phase_8 <= flag(known(phase) = 8);
   in_phase_0 <= flag(known(phase) = 0);
   in_phase_3 <= flag(known(phase) = 3);
@@ -289,8 +278,8 @@ begin
   lane_input_each : for i in 0 to 2 generate
     lane_input(i) <=
       in_v0_inside_h9(i) when known(lane_input_select_at_10) = 0 else
-      in_v1_h11(i) when known(lane_input_select_at_10) = 1 else
-      in_v2_h11(i);
+      in_v_h11(1)(i) when known(lane_input_select_at_10) = 1 else
+      in_v_h11(2)(i);
   end generate lane_input_each;
 
   -- Clock 11
@@ -304,20 +293,20 @@ begin
   lane_lo_operand_line_x(0) <= row_d2.lo;
   lane_lo_operand_line_x(1) <= row.lo;
   lane_lo_operand_line_x(2) <= row.lo;
-  lane_lo_operand_line_tap(0) <= lane2_operand_select_tap_at_1;
-  lane_lo_operand_line_tap(1) <= lane1_operand_select_tap_at_1;
-  lane_lo_operand_line_tap(2) <= lane2_operand_select_tap_at_1;
+  lane_lo_operand_line_tap(0) <= lane_operand_select_tap_at_1(2);
+  lane_lo_operand_line_tap(1) <= lane_operand_select_tap_at_1(1);
+  lane_lo_operand_line_tap(2) <= lane_operand_select_tap_at_1(2);
   lane_hi_operand_line_x(0) <= row_d2.hi;
   lane_hi_operand_line_x(1) <= row.hi;
   lane_hi_operand_line_x(2) <= row.hi;
-  lane_hi_operand_line_tap(0) <= lane2_operand_select_tap_at_1;
-  lane_hi_operand_line_tap(1) <= lane1_operand_select_tap_at_1;
-  lane_hi_operand_line_tap(2) <= lane2_operand_select_tap_at_1;
-  lane0_input_inside_unit : for k in 0 to 2 generate
+  lane_hi_operand_line_tap(0) <= lane_operand_select_tap_at_1(2);
+  lane_hi_operand_line_tap(1) <= lane_operand_select_tap_at_1(1);
+  lane_hi_operand_line_tap(2) <= lane_operand_select_tap_at_1(2);
+  lane_input_inside_unit : for k in 0 to 2 generate
     unit : entity work.guard_coordinate
-      port map (clk => clk, number => lane_input_d1(k), passed => lane0_input_inside(k),
-                outside => lane0_input_outside(k));
-  end generate lane0_input_inside_unit;
+      port map (clk => clk, number => lane_input_d1(k), passed => lane_input_inside(k),
+                outside => lane_input_outside(k));
+  end generate lane_input_inside_unit;
   lane_lo_operand_line : for i in 0 to 2 generate
     unit : entity work.tapped_line_32
       port map (clk => clk, x => lane_lo_operand_line_x(i), tap => lane_lo_operand_line_tap(i),
@@ -331,10 +320,10 @@ begin
 
   -- Clock 12
   lane_lo_each : for i in 0 to 2 generate
-    lane(i).lo <= lane0_input_inside(i) when lane_from_input_at_1 = '1' else lane_operand(i).lo;
-    lane(i).hi <= lane0_input_inside(i) + 1 when lane_from_input_at_1 = '1' else lane_operand(i).hi;
+    lane(i).lo <= lane_input_inside(i) when lane_from_input_at_1 = '1' else lane_operand(i).lo;
+    lane(i).hi <= lane_input_inside(i) + 1 when lane_from_input_at_1 = '1' else lane_operand(i).hi;
   end generate lane_lo_each;
-  outside_found <= or_reduce((or_reduce(unsigned(lane0_input_outside)) and outside_found_word_and_second_select_at_1) &
+  outside_found <= or_reduce((or_reduce(unsigned(lane_input_outside)) and outside_found_word_and_second_select_at_1) &
       outside_found_word_and_first_line(10));
   outside_so_far <= outside_found or outside_so_far_before;
 
@@ -372,7 +361,7 @@ begin
   end generate shift_unit;
 
   -- Clock 23
-  outside_flags <= outside_in_phases & unsigned(in_v0_outside_h22);
+  outside_flags <= outside_in_phases & unsigned(in_v0_outside_held(1));
   outside_i <= or_reduce(outside_flags);
 
   -- Clock 24
@@ -486,16 +475,16 @@ begin
     p_unit_v(0)(i).hi <= v0_hi_h13(i);
   end generate p_unit_v_0_lo_each;
   p_unit_v(1) <= v1_h12;
-  p_unit_v(2) <= v2_h11;
-  p_unit_v(3) <= w0_h9;
-  p_unit_v(4) <= w1_h8;
-  p_unit_v(5) <= w2_h7;
+  p_unit_v(2) <= v_h11(2);
+  p_unit_v(3) <= w_held(0);
+  p_unit_v(4) <= w_held(1);
+  p_unit_v(5) <= w_held(2);
   p_unit_v_case(0) <= v0_case;
-  p_unit_v_case(1) <= v1_case_h11;
-  p_unit_v_case(2) <= v2_case_h10;
-  p_unit_v_case(3) <= w0_case_h8;
-  p_unit_v_case(4) <= w1_case_h7;
-  p_unit_v_case(5) <= w2_case_h6;
+  p_unit_v_case(1) <= v_case_held(1);
+  p_unit_v_case(2) <= v_case_held(2);
+  p_unit_v_case(3) <= w_case_held(0);
+  p_unit_v_case(4) <= w_case_held(1);
+  p_unit_v_case(5) <= w_case_held(2);
   p_unit : for k in 0 to 5 generate
     unit : entity work.projection
       port map (clk => clk, v => p_unit_v(k), v_case => p_unit_v_case(k), l => axis_l_d2, l_case => axis_l_case_d1,
@@ -526,7 +515,7 @@ begin
   selectors : process (clk)
   begin
     if rising_edge(clk) then
-      if holds0_or_in_phase_10 = '1' then
+      if busy_0 = '1' then
         row_t_pose_select_at_0 <= to_unsigned(row_t_pose_select_at_0_table(to_integer(known(phase))), 2);
         row_diagonal_at_0(0) <= row_diagonal_at_0_0_table(to_integer(known(phase)));
         row_diagonal_at_0(1) <= row_diagonal_at_0_1_table(to_integer(known(phase)));
@@ -537,8 +526,10 @@ begin
         lane_input_select_at_10 <= to_unsigned(lane_input_select_at_10_table(to_integer(known(phase))), 2);
       end if;
       if busy_12 = '1' then
-        lane2_operand_select_tap_at_1 <= to_unsigned(lane2_operand_select_tap_at_1_table(to_integer(known(phase))), 4);
-        lane1_operand_select_tap_at_1 <= to_unsigned(lane1_operand_select_tap_at_1_table(to_integer(known(phase))), 4);
+        lane_operand_select_tap_at_1(1) <= to_unsigned(lane_operand_select_tap_at_1_1_table(to_integer(known(phase))),
+            4);
+        lane_operand_select_tap_at_1(2) <= to_unsigned(lane_operand_select_tap_at_1_2_table(to_integer(known(phase))),
+            4);
         lane_from_input_at_1 <= lane_from_input_at_1_table(to_integer(known(phase)));
         outside_found_word_and_second_select_at_1 <=
             outside_found_word_and_second_select_at_1_table(to_integer(known(phase)));
@@ -577,22 +568,23 @@ begin
         overlapping_i(7) <= axis_counts_overlapping;
       end if;
       if strobe(10) = '1' then
-        in_v1_h11 <= in_v(1);
-        in_v2_h11 <= in_v(2);
-        outside_h21 <= outside_h11;
+        for k in 1 to 2 loop
+          in_v_h11(k) <= in_v(k);
+        end loop;
+        outside_h21 <= outside_held(0);
         separated_i(10) <= axis_counts_separated;
         overlapping_i(10) <= axis_counts_overlapping;
-        outside <= outside_h22;
+        outside <= outside_held(1);
       end if;
       if strobe(0) = '1' then
         in_v0_inside_h11 <= in_v0_inside;
         outside_in_phases <= outside_so_far;
-        in_v0_outside_h11 <= in_v0_outside;
-        in_v0_outside_h22 <= in_v0_outside_h11;
-        outside_h11 <= outside_i;
+        in_v0_outside_held(0) <= in_v0_outside;
+        in_v0_outside_held(1) <= in_v0_outside_held(0);
+        outside_held(0) <= outside_i;
+        outside_held(1) <= outside_held(0);
         separated_i(0) <= axis_counts_separated;
         overlapping_i(0) <= axis_counts_overlapping;
-        outside_h22 <= outside_h11;
       end if;
       if strobe(1) = '1' then
         in_v0_inside_h12 <= in_v0_inside_h11;
@@ -607,34 +599,14 @@ begin
         separated_i(8) <= axis_counts_separated;
         overlapping_i(8) <= axis_counts_overlapping;
       end if;
-      if strobe(4) = '1' then
-        v1 <= scaled;
-        v1_h11 <= v1;
-        separated_i(3) <= axis_counts_separated;
-        overlapping_i(3) <= axis_counts_overlapping;
-      end if;
-      if strobe(5) = '1' then
-        v2 <= scaled;
-        v1_case <= scaled_case;
-        v2_h11 <= v2;
-        v0_hi_h13 <= v0_hi_h11;
-        v1_h12 <= v1_h11;
-        v1_case_h11 <= v1_case;
-        v2_case_h10 <= v2_case;
-        w0_h9 <= w(0);
-        w0_case_h8 <= w_case(0);
-        w1_h8 <= w(1);
-        w1_case_h7 <= w_case(1);
-        w2_h7 <= w(2);
-        w2_case_h6 <= w_case(2);
-        separated_i(6) <= axis_counts_separated;
-        overlapping_i(6) <= axis_counts_overlapping;
-      end if;
-      if strobe(6) = '1' then
-        v2_case <= scaled_case;
-        separated_i(9) <= axis_counts_separated;
-        overlapping_i(9) <= axis_counts_overlapping;
-      end if;
+      for k in 1 to 2 loop
+        if strobe(k + 3) = '1' then
+          v(k) <= scaled;
+        end if;
+        if strobe(k + 4) = '1' then
+          v_case(k) <= scaled_case;
+        end if;
+      end loop;
       for k in 0 to 2 loop
         if strobe(k + 7) = '1' then
           w(k) <= scaled;
@@ -643,9 +615,27 @@ begin
           w_case(k) <= scaled_case;
         end if;
       end loop;
+      for k in 1 to 2 loop
+        if strobe(k + 3) = '1' then
+          v_h11(k) <= v(k);
+        end if;
+      end loop;
+      if strobe(5) = '1' then
+        v0_hi_h13 <= v0_hi_h11;
+        v1_h12 <= v_h11(1);
+        v_case_held <= v_case;
+        w_held <= w;
+        w_case_held <= w_case;
+        separated_i(6) <= axis_counts_separated;
+        overlapping_i(6) <= axis_counts_overlapping;
+      end if;
       if strobe(7) = '1' then
         separated_i(1) <= axis_counts_separated;
         overlapping_i(1) <= axis_counts_overlapping;
+      end if;
+      if strobe(4) = '1' then
+        separated_i(3) <= axis_counts_separated;
+        overlapping_i(3) <= axis_counts_overlapping;
       end if;
       if strobe(8) = '1' then
         separated_i(4) <= axis_counts_separated;
@@ -654,6 +644,10 @@ begin
       if strobe(2) = '1' then
         separated_i(5) <= axis_counts_separated;
         overlapping_i(5) <= axis_counts_overlapping;
+      end if;
+      if strobe(6) = '1' then
+        separated_i(9) <= axis_counts_separated;
+        overlapping_i(9) <= axis_counts_overlapping;
       end if;
       if in_phase_8 = '1' then
         busy_10 <= holds(0);

@@ -35,7 +35,7 @@ architecture rtl of projection is
   signal exact : interval_38_t;  -- |.| <= 12885491712
   signal p_hi_constant : std_logic;
 begin
-  -- Strobes, one per phase
+  -- Constants
   p_hi_constant <= '1';
 
   -- Clock 0

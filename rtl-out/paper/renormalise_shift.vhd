@@ -20,15 +20,14 @@ end entity renormalise_shift;
 architecture rtl of renormalise_shift is
   signal shift_i : std_logic_vector(4 downto 0);
   signal word_4 : unsigned(31 downto 0);
-  signal shift3_any_d1 : std_logic := '0';
   signal shift1_any_d1 : std_logic := '0';
+  signal shift3_any_d1 : std_logic := '0';
   signal word_4_d1 : unsigned(31 downto 0) := (others => '0');
   signal word_3 : unsigned(31 downto 0);
   signal word_2 : unsigned(31 downto 0);
   signal word_2_d1 : unsigned(31 downto 0) := (others => '0');
   signal word_1 : unsigned(31 downto 0);
-  signal shift2_d1 : std_logic := '0';
-  signal shift3_d1 : std_logic := '0';
+  signal shift_d1 : std_logic_vector(3 downto 2) := (others => '0');
   signal shift4_d1 : std_logic := '0';
   signal shift4_d2 : std_logic := '0';
 begin
@@ -56,8 +55,9 @@ begin
     if rising_edge(clk) then
       shift1_any_d1 <= or_reduce(word_2(31 downto 30));
       word_2_d1 <= word_2;
-      shift2_d1 <= shift_i(2);
-      shift3_d1 <= shift_i(3);
+      for k in 2 to 3 loop
+        shift_d1(k) <= shift_i(k);
+      end loop;
       shift4_d2 <= shift4_d1;
     end if;
   end process clock_2;
@@ -68,7 +68,7 @@ begin
   -- Outputs
   shift(0) <= shift_i(0);
   shift(1) <= shift_i(1);
-  shift(2) <= shift2_d1;
-  shift(3) <= shift3_d1;
+  shift(2) <= shift_d1(2);
+  shift(3) <= shift_d1(3);
   shift(4) <= shift4_d2;
 end architecture rtl;

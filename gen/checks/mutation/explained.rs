@@ -136,7 +136,6 @@ const VHDL: &[Explanation] = &[
     ),
     same("pair_pipeline:p_unit_v.lo:constant:v(0)(i) -> (0)", ORIGIN),
     same_in_several("*:case:without the condition busy_*", RESTS),
-    same_in_several("*:case:without the condition holds0_or_*", RESTS),
     same_in_several("efsat:active_*:delay:a register too many*", POSE),
     same_in_one("efsat:pair_v:case:without the condition*", "what is not accepted is computed, but not taken over"),
     same_in_one("efsat:pair_w:case:without the condition*", "what is not accepted is computed, but not taken over"),

@@ -133,7 +133,7 @@ impl<'a> Editor<'a> {
                 "xor" => self.exchange(Kind::Operand, i..i + 1, "or"),
                 "-" if matches!(before, "" | "(" | ",") => self.replace(Kind::Operand, i..i + 1, "", "sign dropped"),
                 "+" | "-" => self.sum(i),
-                "&" if !self.statement.target.ends_with("_line") => self.swap(i),
+                "&" if !is_delayed(&self.statement.target) => self.swap(i),
                 "=" if !self.word(i + 1).starts_with('\'') => self.exchange(Kind::Comparison, i..i + 1, "/="),
                 "'0'" | "'1'" => {
                     let kind = if before == "=" { Kind::Case } else { Kind::Constant };
@@ -335,7 +335,7 @@ impl<'a> Editor<'a> {
                     }
                     let words: Vec<&str> = inside[0].clone().map(|k| self.word(k)).collect();
                     if let Some(new) = moved(&words) {
-                        let kind = if self.word(name).ends_with("_line") { Kind::Delay } else { Kind::Constant };
+                        let kind = if is_delayed(self.word(name)) { Kind::Delay } else { Kind::Constant };
                         let old = self.source.part(&(name..end));
                         self.replace(kind, inside[0].clone(), &new, format!("{old} -> ({new})"));
                     }
@@ -362,12 +362,19 @@ fn moved(index: &[&str]) -> Option<String> {
     })
 }
 
-/// The name without `_d1`, `_h11` and the like.
+/// Whether a name is that of a row of copies, each later than the one before.
+fn is_delayed(name: &str) -> bool {
+    let digits = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    name.ends_with("_line") || name.ends_with("_held") || digits.ends_with("_held_")
+}
+
+/// The name without `_d1`, `_h11`, `_held` and the like.
 fn undelayed(name: &str) -> &str {
     let digits = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    let held = name.strip_suffix("_held").or_else(|| digits.strip_suffix("_held_"));
     match digits.strip_suffix("_d").or_else(|| digits.strip_suffix("_h")) {
         Some(base) if digits != name => base,
-        _ => name,
+        _ => held.unwrap_or(name),
     }
 }
 

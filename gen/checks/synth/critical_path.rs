@@ -73,8 +73,11 @@ impl Names {
             for place in signals.chain(module.outputs.iter().map(|(place, _)| place)).filter(|place| !place.is_empty())
             {
                 // The bundle itself, its fields as far as each is printed on its own, and every element.
-                for net in [Place { path: vec![], ..place.clone() }, fields(place), place.clone()] {
-                    names.insert(format!("{nets}{net}"), format!("{prefix}{net}"));
+                let held = place.held().map(|(suffix, _)| Place { suffix: format!("{suffix}_held"), ..place.clone() });
+                for place in std::iter::once(place.clone()).chain(held) {
+                    for net in [Place { path: vec![], ..place.clone() }, fields(&place), place.clone()] {
+                        names.insert(format!("{nets}{net}"), format!("{prefix}{net}"));
+                    }
                 }
             }
             for instance in &module.instances {

@@ -101,7 +101,7 @@ pub fn unit(format: &EngineFormat, clocks: usize) -> Rc<graph::Block> {
     let doc = [
         "The data path of an expansion: D, then in each direction h of A the bound of D, B's codes through the row of h, A's",
         "code of the opposite direction, and the test. Units are shared over the phases of the slot. A value captured for the",
-        "expansion is named after what it is; later copies end in _h<clocks>.",
+        "expansion is named after what it is; later copies end in _h<clocks>, or are elements of x_held.",
     ];
     Library::with_prefix(PREFIX).block("path", &doc, clocks, |u| {
         let query = Query::new(u, format);

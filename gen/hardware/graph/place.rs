@@ -55,6 +55,13 @@ impl Place {
         (&self.base, &self.suffix) == (&other.base, &other.suffix) && !self.path.is_empty()
     }
 
+    /// Of a copy of a held value: the suffix of that value, and by how many clocks the copy is loaded later.
+    #[doc(hidden)]
+    pub fn held(&self) -> Option<(&str, i32)> {
+        let (suffix, clocks) = self.suffix.rsplit_once("_h")?;
+        Some((suffix, clocks.parse().ok()?))
+    }
+
     /// Whether there is no name yet.
     pub fn is_empty(&self) -> bool {
         self.base.is_empty()

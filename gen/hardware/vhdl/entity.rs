@@ -11,7 +11,8 @@ use crate::netlist::{Driver, LINE_CLOCKS, Signal, SignalId};
 use crate::op::{Comb, Range};
 use askama::Template;
 use statements::{condition, is, loop_label, note, sequential, wrapped};
-use std::collections::BTreeSet;
+use std::cell::RefCell;
+use std::collections::{BTreeSet, HashSet};
 
 /// A port or declaration: its text, and what there is to say of it.
 struct Declaration {
@@ -64,7 +65,7 @@ impl Entity {
             Some(1) => header.push("Latency: 1 clock.".to_owned()),
             Some(n) => header.push(format!("Latency: {n} clocks.")),
         }
-        let printer = Printer { view, types, prefix };
+        let printer = Printer { view, types, prefix, labels: RefCell::default() };
         let (blocks, functions) = printer.blocks();
         let mut entity = Self {
             name: format!("{prefix}{}", module.name),
@@ -89,6 +90,8 @@ struct Printer<'a, 'b> {
     types: &'a Types,
     /// Stands before the names of entities.
     prefix: &'a str,
+    /// The labels of loops so far.
+    labels: RefCell<HashSet<String>>,
 }
 
 impl Printer<'_, '_> {
@@ -178,7 +181,9 @@ impl Printer<'_, '_> {
                 continue;
             }
             let (name, ty) = (&object.name, self.types.name(&object.shape));
-            let comment = self.describe(object);
+            let clocks = clocks_of(&self.view.held_from(object));
+            let comment = [self.describe(object), clocks].into_iter().filter(|part| !part.is_empty());
+            let comment = comment.collect::<Vec<_>>().join("; ");
             if let Some(line) = self.view.lines.iter().find(|l| l.object == i) {
                 let (length, zero) = (line.length, self.types.zero(&object.shape));
                 let words = if object.shape == Shape::Flag {
@@ -257,7 +262,8 @@ impl Printer<'_, '_> {
                 let free = matches!(&s.driver, Driver::Register { enable: None, reset: None, .. });
                 (free && s.clock == clock).then(|| Statement::Assign(name.clone(), self.view.driven(id)))
             });
-            if !free.is_empty() {
+            let has_strobes = !free.is_empty();
+            if has_strobes {
                 let label = match clock {
                     Some(c) => format!("clock_{c}"),
                     None if lowered => "strobes".to_owned(),
@@ -281,9 +287,12 @@ impl Printer<'_, '_> {
             if lines.is_empty() {
                 continue;
             }
+            let constant = self.view.are_constants(clock);
             let heading = match clock {
                 Some(c) => format!("Clock {c}"),
-                None if lowered => "Strobes, one per phase".to_owned(),
+                None if lowered && has_strobes => "Strobes, one per phase, and flags of pairs".to_owned(),
+                None if lowered && constant => "Constants".to_owned(),
+                None if lowered => "Flags of phases and pairs".to_owned(),
                 None => String::new(),
             };
             blocks.push(Block { heading, lines });
@@ -438,6 +447,16 @@ impl Printer<'_, '_> {
         }
     }
 
+    /// A label of its own: two rows of one array are two loops.
+    fn label(&self, name: String) -> String {
+        let mut labels = self.labels.borrow_mut();
+        let numbered = (2..).map(|n| format!("{name}_{n}"));
+        let label = std::iter::once(name.clone()).chain(numbered).find(|label| !labels.contains(label));
+        let label = label.expect("one of endlessly many");
+        labels.insert(label.clone());
+        label
+    }
+
     fn process(
         &self,
         label: &str,
@@ -498,15 +517,29 @@ impl Printer<'_, '_> {
                 let ports: Vec<String> = connections.iter().map(|(f, a)| format!("{f} => {a}")).collect();
                 lines.extend(wrapped(&format!("port map ({});", ports.join(", ")), 2 * depth + 2));
             }
-            Statement::Loop { depth: variable, size, body } => {
-                let label = loop_label(body);
+            Statement::Loop { depth: variable, first, size, body } => {
+                let label = self.label(loop_label(body));
                 let variable = loop_variable(*variable);
-                lines.push(format!("{pad}{label} : for {variable} in 0 to {} generate", size - 1));
+                lines.push(format!("{pad}{label} : for {variable} in {first} to {} generate", first + size - 1));
                 body.iter().for_each(|s| self.concurrent(s, depth + 1, functions, lines));
                 lines.push(format!("{pad}end generate {label};"));
             }
             Statement::If(..) => panic!("a flag governs registers alone"),
         }
+    }
+}
+
+/// From which clocks on something is there; nothing where there are none.
+fn clocks_of(clocks: &BTreeSet<i32>) -> String {
+    let all: Vec<i32> = clocks.iter().copied().collect();
+    let text = |all: &[i32]| all.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    match all[..] {
+        [] => String::new(),
+        [one] => format!("from clock {one} on"),
+        [a, b, .., last] if all.len() > 3 && all.windows(2).all(|pair| pair[1] - pair[0] == b - a) => {
+            format!("from clocks {a}, {b}, ... {last} on")
+        }
+        _ => format!("from clocks {} on", text(&all)),
     }
 }
 

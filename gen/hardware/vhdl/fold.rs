@@ -23,6 +23,8 @@ pub(super) enum Statement {
     Loop {
         /// Which variable.
         depth: usize,
+        /// Its first value.
+        first: usize,
         /// Number of its values.
         size: usize,
         /// What is done.
@@ -37,6 +39,43 @@ impl Statement {
             Self::Instance { label, .. } => vec![label.clone()],
             Self::Loop { body, .. } => body.iter().flat_map(Self::labels).collect(),
             _ => vec![],
+        }
+    }
+
+    /// The same with every index replaced.
+    fn with_indices(&self, f: &mut dyn FnMut(&Index) -> Index) -> Self {
+        let all = |statements: &[Self], f: &mut dyn FnMut(&Index) -> Index| -> Vec<Self> {
+            statements.iter().map(|statement| statement.with_indices(f)).collect()
+        };
+        match self {
+            Self::Assign(target, value) => Self::Assign(target.with_indices(f), value.with_indices(f)),
+            Self::If(flag, then, otherwise) => Self::If(flag.with_indices(f), all(then, f), all(otherwise, f)),
+            Self::Instance { label, entity, connections } => {
+                let connections = connections.iter().map(|(formal, value)| (formal.clone(), value.with_indices(f)));
+                Self::Instance { label: label.clone(), entity: entity.clone(), connections: connections.collect() }
+            }
+            Self::Loop { depth, first, size, body } => {
+                Self::Loop { depth: *depth, first: *first, size: *size, body: all(body, f) }
+            }
+        }
+    }
+
+    /// The flag that it is under.
+    fn flag(&self) -> Option<&Expression> {
+        match self {
+            Self::If(flag, ..) => Some(flag),
+            Self::Loop { body, .. } => body.first().and_then(Self::flag),
+            _ => None,
+        }
+    }
+
+    /// How many lines it takes, about.
+    fn lines(&self) -> usize {
+        match self {
+            Self::Assign(..) | Self::Instance { .. } => 1,
+            // What is under one flag stands there together.
+            Self::If(_, then, otherwise) => then.iter().chain(otherwise).map(Self::lines).sum(),
+            Self::Loop { body, .. } => 2 + body.iter().map(Self::lines).sum::<usize>(),
         }
     }
 }
@@ -77,25 +116,70 @@ pub(super) fn fold(
                 .collect();
             joined(shapes, whole, shape, &parts).unwrap_or_else(|| parts.into_iter().flat_map(|p| p.1).collect())
         }
-        Shape::Array { vector, size, of } => {
+        Shape::Array { vector, first, size, of } => {
             // Components are counted by the first variable, elements by the others.
             let (own, inner) = if *vector { (0, depth) } else { (1 + depth, depth + 1) };
-            let parts: Vec<(Sub, Vec<Statement>)> = (0..*size)
+            let parts: Vec<(Sub, Vec<Statement>)> = (*first..first + size)
                 .map(|i| {
                     let sub = Sub::Index(Index::At(i));
                     (sub.clone(), fold(shapes, of, &part(sub), inner, leaf))
                 })
                 .collect();
-            if let Some(one) = joined(shapes, whole, shape, &parts) {
+            if let Some(one) = joined(shapes, whole, shape, &parts).or_else(|| shifted(whole, shape, &parts)) {
                 return one;
             }
             let lists: Vec<&[Statement]> = parts.iter().map(|p| p.1.as_slice()).collect();
             match unify_lists(shapes, &lists, own) {
-                Some(body) if !body.is_empty() && *size > 1 => vec![Statement::Loop { depth: own, size: *size, body }],
-                _ => parts.into_iter().flat_map(|p| p.1).collect(),
+                Some(body) if !body.is_empty() && *size > 1 => vec![counted(own, *size, body)],
+                _ => rows(shapes, &lists, own),
             }
         }
     }
+}
+
+/// The statements of elements, those of elements in a row as a loop where that is shorter.
+fn rows(shapes: &dyn Shapes, lists: &[&[Statement]], depth: usize) -> Vec<Statement> {
+    let (mut all, mut rest) = (vec![], lists);
+    while let Some(first) = rest.first() {
+        // Under other flags stands what is done at other times.
+        let flags = |list: &[Statement]| list.iter().map(|s| s.flag().cloned()).collect::<Vec<_>>();
+        let alike = |n: &usize| flags(rest[n - 1]) == flags(first) && unify_lists(shapes, &rest[..*n], depth).is_some();
+        let size = (2..=rest.len()).take_while(alike).last().unwrap_or(1);
+        // Two lines more than what is in it.
+        if (size - 1) * first.iter().map(Statement::lines).sum::<usize>() > 2 {
+            all.push(counted(depth, size, unify_lists(shapes, &rest[..size], depth).unwrap_or_default()));
+            rest = &rest[size..];
+        } else {
+            all.extend_from_slice(first);
+            rest = &rest[1..];
+        }
+    }
+    all
+}
+
+/// A loop that counts from the number that all indices in it begin with.
+fn counted(depth: usize, size: usize, body: Vec<Statement>) -> Statement {
+    let mut first = None;
+    let mut start = |index: &Index| {
+        match index {
+            Index::Loop { depth: own, plus, modulo } if *own == depth => {
+                let plus = if modulo.is_some() { 0 } else { *plus };
+                first = Some(first.map_or(plus, |first: usize| first.min(plus)));
+            }
+            _ => {}
+        }
+        index.clone()
+    };
+    body.iter().for_each(|statement| _ = statement.with_indices(&mut start));
+    let first = first.unwrap_or(0);
+    let mut less = |index: &Index| match index {
+        Index::Loop { depth: own, plus, modulo } if *own == depth => {
+            Index::Loop { depth, plus: plus.saturating_sub(first), modulo: *modulo }
+        }
+        other => other.clone(),
+    };
+    let body = body.iter().map(|statement| statement.with_indices(&mut less)).collect();
+    Statement::Loop { depth, first, size, body }
 }
 
 /// One assignment of the whole instead of one for each part.
@@ -105,21 +189,43 @@ fn joined(shapes: &dyn Shapes, whole: &Name, shape: &Shape, parts: &[(Sub, Vec<S
         _ => None,
     };
     let parts: Vec<(Sub, Statement)> = parts.iter().map(single).collect::<Option<_>>()?;
-    join(shapes, whole, shape, &parts).or_else(|| shifted(whole, shape, &parts)).map(|one| vec![one])
+    join(shapes, whole, shape, &parts).map(|one| vec![one])
 }
 
-/// Flags of which each becomes the one before it: a shift register.
-fn shifted(whole: &Name, shape: &Shape, parts: &[(Sub, Statement)]) -> Option<Statement> {
-    let ((_, Statement::Assign(_, first)), others) = parts.split_first()? else { return None };
-    let before = |(i, (_, statement)): (usize, &(Sub, Statement))| {
-        let mut before = whole.clone();
-        before.subs.push(Sub::Index(Index::At(i)));
-        matches!(statement, Statement::Assign(_, Expression::Name(name)) if *name == before)
+/// Elements of which each becomes the one before it, under one flag: a shift register.
+fn shifted(whole: &Name, shape: &Shape, parts: &[(Sub, Vec<Statement>)]) -> Option<Vec<Statement>> {
+    fn loaded(statements: &[Statement]) -> Option<(Option<&Expression>, &Expression)> {
+        match statements {
+            [Statement::Assign(_, value)] => Some((None, value)),
+            [Statement::If(flag, then, otherwise)] if otherwise.is_empty() => Some((Some(flag), loaded(then)?.1)),
+            _ => None,
+        }
+    }
+    let part = |sub: Sub| Name { base: whole.base.clone(), subs: [&whole.subs[..], &[sub]].concat() };
+    let ((_, first), others) = parts.split_first().filter(|(_, others)| others.len() > 1)?;
+    let flag = loaded(&others[0].1)?.0;
+    let follows = |(i, (_, statements)): (usize, &(Sub, Vec<Statement>))| {
+        let before = Expression::Name(part(Sub::Index(Index::At(i))));
+        loaded(statements) == Some((flag, &before))
     };
-    let shifts = shape.is_flags() && others.len() > 1 && others.iter().enumerate().all(before);
-    let high = others.len() as u32 - 1;
-    let value = || Expression::Name(whole.clone()).slice(high, 0).binary("&", first.clone());
-    shifts.then(|| Statement::Assign(whole.clone(), value()))
+    if !others.iter().enumerate().all(follows) {
+        return None;
+    }
+    let under = |assign: Statement| match flag {
+        Some(flag) => Statement::If(flag.clone(), vec![assign], vec![]),
+        None => assign,
+    };
+    let (last, flags) = (others.len(), shape.is_flags());
+    let of = |from: usize, to: usize| part(if flags { Sub::Range(to, from) } else { Sub::Range(from, to) });
+    let before = Expression::Name(of(0, last - 1));
+    Some(match loaded(first) {
+        // A word of its own type, of which there is no doubt where it is joined with others.
+        Some((own, value)) if own == flag && (flags || matches!(value, Expression::Name(_))) => {
+            let value = if flags { before.binary("&", value.clone()) } else { value.clone().binary("&", before) };
+            vec![under(Statement::Assign(whole.clone(), value))]
+        }
+        _ => [first.clone(), vec![under(Statement::Assign(of(1, last), before))]].concat(),
+    })
 }
 
 fn join(shapes: &dyn Shapes, whole: &Name, shape: &Shape, parts: &[(Sub, Statement)]) -> Option<Statement> {
@@ -229,17 +335,17 @@ fn unify(shapes: &dyn Shapes, all: &[&Statement], depth: usize) -> Option<Statem
             }
             Some(Statement::Instance { label: label.clone(), entity: entity.clone(), connections: whole })
         }
-        Statement::Loop { depth: inner, size, .. } => {
+        Statement::Loop { depth: inner, first, size, .. } => {
             let mut bodies = vec![];
             for statement in all {
-                let Statement::Loop { depth, size: other, body } = statement else { return None };
-                if (depth, other) != (inner, size) {
+                let Statement::Loop { depth, first: start, size: other, body } = statement else { return None };
+                if (depth, start, other) != (inner, first, size) {
                     return None;
                 }
                 bodies.push(body.as_slice());
             }
             let body = unify_lists(shapes, &bodies, depth)?;
-            Some(Statement::Loop { depth: *inner, size: *size, body })
+            Some(Statement::Loop { depth: *inner, first: *first, size: *size, body })
         }
     }
 }
@@ -320,20 +426,20 @@ pub(super) fn unify_values(shapes: &dyn Shapes, all: &[&Expression], depth: usiz
 
 /// A flag that a loop does not depend on, in front of the loop.
 fn hoisted(statement: Statement) -> Statement {
-    let Statement::Loop { depth, size, body } = statement else { return statement };
+    let Statement::Loop { depth, first, size, body } = statement else { return statement };
     let body: Vec<Statement> = body.into_iter().map(hoisted).collect();
     let flag = match &body[0] {
         Statement::If(flag, _, otherwise) if otherwise.is_empty() && !counts(flag, depth) => flag.clone(),
-        _ => return Statement::Loop { depth, size, body },
+        _ => return Statement::Loop { depth, first, size, body },
     };
     if !body.iter().all(|s| matches!(s, Statement::If(other, _, rest) if *other == flag && rest.is_empty())) {
-        return Statement::Loop { depth, size, body };
+        return Statement::Loop { depth, first, size, body };
     }
     let inner = body.into_iter().flat_map(|s| match s {
         Statement::If(_, then, _) => then,
         other => vec![other],
     });
-    Statement::If(flag, vec![Statement::Loop { depth, size, body: inner.collect() }], vec![])
+    Statement::If(flag, vec![Statement::Loop { depth, first, size, body: inner.collect() }], vec![])
 }
 
 /// Whether an expression depends on a loop variable.
@@ -361,14 +467,14 @@ pub(super) fn merged(statements: Vec<Statement>) -> Vec<Statement> {
         }
         match (all.last_mut(), statement) {
             (
-                Some(Statement::Loop { depth, size, body }),
-                Statement::Loop { depth: other_depth, size: other_size, body: more },
-            ) if (*depth, *size) == (other_depth, other_size) => body.extend(more),
+                Some(Statement::Loop { depth, first, size, body }),
+                Statement::Loop { depth: other_depth, first: other_first, size: other_size, body: more },
+            ) if (*depth, *first, *size) == (other_depth, other_first, other_size) => body.extend(more),
             (_, statement) => all.push(statement),
         }
     }
     let inner = |statement| match statement {
-        Statement::Loop { depth, size, body } => Statement::Loop { depth, size, body: merged(body) },
+        Statement::Loop { depth, first, size, body } => Statement::Loop { depth, first, size, body: merged(body) },
         Statement::If(condition, then, otherwise) => Statement::If(condition, merged(then), merged(otherwise)),
         other => other,
     };

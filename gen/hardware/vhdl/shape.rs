@@ -20,6 +20,8 @@ pub(super) enum Shape {
     Array {
         /// Whether the elements are components.
         vector: bool,
+        /// Number of the first element: those of a part of a bundle have the numbers that they have in the bundle.
+        first: usize,
         /// Number of elements.
         size: usize,
         /// What each is.
@@ -60,7 +62,8 @@ impl Shape {
                 widths.iter().fold((*kind).to_owned(), |stem, bits| format!("{stem}_{bits}"))
             }
             Self::Array { vector: true, of, .. } => format!("{}_vector", of.stem(exact)),
-            Self::Array { size, of, .. } => format!("{}_x{size}", of.stem(exact)),
+            Self::Array { first: 0, size, of, .. } => format!("{}_x{size}", of.stem(exact)),
+            Self::Array { first, size, of, .. } => format!("{}_{first}_to_{}", of.stem(exact), first + size - 1),
         }
     }
 
@@ -128,7 +131,9 @@ impl Types {
             Shape::Number(signed, bits) => {
                 format!("{}({} downto 0)", if *signed { "signed" } else { "unsigned" }, bits - 1)
             }
-            Shape::Array { size, .. } if shape.is_flags() => format!("std_logic_vector({} downto 0)", size - 1),
+            Shape::Array { first, size, .. } if shape.is_flags() => {
+                format!("std_logic_vector({} downto {first})", first + size - 1)
+            }
             _ => format!("{}_t", self.stem(shape)),
         }
     }
@@ -168,8 +173,9 @@ impl Types {
                     let zeros: Vec<String> = fields.iter().map(|f| format!("{} => {}", f.0, self.zero(&f.1))).collect();
                     format!("({})", zeros.join(", "))
                 }
-                Shape::Array { size, of, .. } => {
-                    lines.push(format!("type {name} is array (0 to {}) of {};", size - 1, self.name(of)));
+                Shape::Array { first, size, of, .. } => {
+                    let last = first + size - 1;
+                    lines.push(format!("type {name} is array ({first} to {last}) of {};", self.name(of)));
                     format!("(others => {})", self.zero(of))
                 }
                 _ => continue,
@@ -185,9 +191,6 @@ impl Types {
 /// The fields of every kind of record, in order, as far as signals of the design have them.
 #[derive(Default)]
 pub(super) struct Records(BTreeMap<&'static str, BTreeMap<usize, &'static str>>);
-
-/// The number of elements of the bundles of a module, by name and number of steps before the element.
-type Sizes = BTreeMap<(String, usize), usize>;
 
 impl Records {
     /// Collects the records of a design.
@@ -205,7 +208,7 @@ impl Records {
     }
 
     /// The shape of signals that are one object, with the steps to each of them.
-    fn shape(&self, members: &[Member], sizes: &Sizes, depth: usize) -> Option<(Shape, Vec<Vec<Sub>>)> {
+    fn shape(&self, members: &[Member]) -> Option<(Shape, Vec<Vec<Sub>>)> {
         let Some(first) = members[0].path.first() else {
             return (members.len() == 1).then(|| (Shape::of(members[0].ty), vec![vec![]]));
         };
@@ -218,8 +221,7 @@ impl Records {
         // A record of one field is its field.
         let plain = matches!(first, Step::Field(kind, ..) if self.0[kind].len() == 1);
         for (step, part) in &parts {
-            let (shape, within) =
-                self.shape(&part.iter().map(|(_, m)| m.clone()).collect::<Vec<_>>(), sizes, depth + 1)?;
+            let (shape, within) = self.shape(&part.iter().map(|(_, m)| m.clone()).collect::<Vec<_>>())?;
             shapes.push(shape);
             for ((i, _), mut within) in part.iter().zip(within) {
                 match step {
@@ -247,14 +249,14 @@ impl Records {
                     Step::Field(..) | Step::Beside(_) => usize::MAX,
                 };
                 let vector = matches!(first, Step::Component(_));
-                let whole = parts.iter().enumerate().all(|(k, (step, _))| number(step) == k);
-                // A copy of some elements is no array of fewer elements.
-                let size = sizes.get(&(members[0].base.clone(), depth)).copied().unwrap_or(0);
-                let partial = !vector && parts.len() < size;
-                if !whole || partial || (vector && parts.len() != 3) || shapes.iter().any(|s| *s != shapes[0]) {
+                let first = number(&parts[0].0);
+                // One of several elements is no array.
+                let whole = (vector || parts.len() > 1)
+                    && parts.iter().enumerate().all(|(k, (step, _))| number(step) == first + k);
+                if !whole || (vector && parts.len() != 3) || shapes.iter().any(|s| *s != shapes[0]) {
                     return None;
                 }
-                Shape::Array { vector, size: parts.len(), of: Box::new(shapes.remove(0)) }
+                Shape::Array { vector, first, size: parts.len(), of: Box::new(shapes.remove(0)) }
             }
             // Companions are objects of their own.
             Step::Beside(_) => return None,
@@ -273,8 +275,6 @@ fn field_of(step: Step) -> &'static str {
 /// A signal that is to become part of an object.
 #[derive(Clone)]
 pub(super) struct Member {
-    /// Name of its bundle.
-    pub base: String,
     pub path: Vec<Step>,
     pub ty: Type,
     pub id: SignalId,
@@ -338,57 +338,95 @@ pub(super) fn objects(
     process: &dyn Fn(SignalId) -> Option<Process>,
 ) -> Vec<Object> {
     let places: Vec<(Place, Type, SignalId)> = places.collect();
-    let mut sizes = Sizes::new();
+    let mut greatest: BTreeMap<String, usize> = BTreeMap::new();
     for (place, ..) in &places {
-        for (depth, step) in place.path.iter().enumerate() {
-            if let Step::Index(i) = step {
-                let size = sizes.entry((place.base.clone(), depth)).or_default();
-                *size = (*size).max(i + 1);
-            }
+        if let Some(Step::Index(i)) = place.path.first() {
+            let index = greatest.entry(place.base.clone()).or_default();
+            *index = (*index).max(*i);
         }
     }
     let mut bundles: Vec<((String, String), Vec<Member>)> = vec![];
     for (mut place, ty, id) in places {
         // What is there once is no array.
-        if sizes.get(&(place.base.clone(), 0)) == Some(&1) {
+        if greatest.get(&place.base) == Some(&0) && matches!(place.path.first(), Some(Step::Index(_))) {
             place.path.remove(0);
         }
         let key = (place.base.clone(), place.suffix);
-        let member = Member { base: place.base, path: place.path, ty, id, process: process(id) };
+        let member = Member { path: place.path, ty, id, process: process(id) };
         match bundles.iter_mut().find(|b| b.0 == key) {
             Some((_, members)) => members.push(member),
             None => bundles.push((key, vec![member])),
         }
     }
     let each = bundles.into_iter();
-    each.flat_map(|((base, suffix), members)| collect(records, &base, &suffix, &members, &sizes)).collect()
+    each.flat_map(|((base, suffix), members)| collect(records, &base, &suffix, &members)).collect()
 }
 
 /// The fewest objects that are all of the members.
-fn collect(records: &Records, base: &str, suffix: &str, members: &[Member], sizes: &Sizes) -> Vec<Object> {
-    let together = members.iter().all(|m| m.process == members[0].process);
-    if let Some((shape, subs)) = records.shape(members, sizes, 0).filter(|_| together) {
+fn collect(records: &Records, base: &str, suffix: &str, members: &[Member]) -> Vec<Object> {
+    if let Some((shape, subs)) = together(records, members) {
         let members = members.iter().map(|m| m.id).zip(subs).collect();
         return vec![Object { name: format!("{base}{suffix}"), shape, members }];
     }
-    // Apart by one of the steps, which goes into the name: that which leaves the fewest.
+    // Apart by one of the steps, which goes into the name, but for elements in a row: by that which leaves the fewest.
     let longest = members.iter().map(|m| m.path.len()).max().unwrap_or(0);
     let apart = (0..longest).map(|at| {
-        let mut parts: Vec<(Option<Step>, Vec<Member>)> = vec![];
-        for member in members {
-            let mut member = member.clone();
-            let step = (at < member.path.len()).then(|| member.path.remove(at));
-            match parts.iter_mut().find(|p| p.0 == step) {
-                Some((_, members)) => members.push(member),
-                None => parts.push((step, vec![member])),
-            }
-        }
-        let of_part = |(step, members): (Option<Step>, Vec<Member>)| {
+        let rows = rows(records, members, at);
+        let most = rows.iter().map(|row| row.0.len()).max().unwrap_or(0);
+        // The name of the bundle, which may be that of a member.
+        let mut plain = rows.iter().all(|row| row.0[0].is_some());
+        let of_row = |(steps, mut members): (Vec<Option<Step>>, Vec<Member>)| {
             let mut base = base.to_owned();
-            step.into_iter().for_each(|step| append_step(&mut base, step));
-            collect(records, &base, suffix, &members, &Sizes::new())
+            match steps[..] {
+                [step] => {
+                    step.iter().for_each(|_| members.iter_mut().for_each(|member| _ = member.path.remove(at)));
+                    step.into_iter().for_each(|step| append_step(&mut base, step));
+                }
+                // The longest row is called after the bundle.
+                _ if plain && steps.len() == most => plain = false,
+                [Some(Step::Index(first)), .., Some(Step::Index(last))] => base += &format!("_{first}_to_{last}"),
+                _ => unreachable!("a row of elements"),
+            }
+            collect(records, &base, suffix, &members)
         };
-        parts.into_iter().flat_map(of_part).collect::<Vec<Object>>()
+        rows.into_iter().flat_map(of_row).collect::<Vec<Object>>()
     });
     apart.min_by_key(Vec::len).unwrap_or_default()
+}
+
+/// The shape of members that are one object, with the steps to each of them.
+fn together(records: &Records, members: &[Member]) -> Option<(Shape, Vec<Vec<Sub>>)> {
+    let alike = members.iter().all(|m| m.process == members[0].process);
+    alike.then(|| records.shape(members)).flatten()
+}
+
+/// Members by one of their steps, elements in a row together where that makes one object.
+fn rows(records: &Records, members: &[Member], at: usize) -> Vec<(Vec<Option<Step>>, Vec<Member>)> {
+    let mut parts: Vec<(Option<Step>, Vec<Member>)> = vec![];
+    for member in members {
+        let step = member.path.get(at).copied();
+        match parts.iter_mut().find(|p| p.0 == step) {
+            Some((_, members)) => members.push(member.clone()),
+            None => parts.push((step, vec![member.clone()])),
+        }
+    }
+    if parts.iter().all(|(step, _)| matches!(step, Some(Step::Index(_)))) {
+        parts.sort_by_key(|part| part.0);
+    }
+    let mut rows: Vec<(Vec<Option<Step>>, Vec<Member>)> = vec![];
+    for (step, members) in parts {
+        let (Some((steps, row)), Some(Step::Index(k))) = (rows.last_mut(), step) else {
+            rows.push((vec![step], members));
+            continue;
+        };
+        let follows = k > 0 && steps.last() == Some(&Some(Step::Index(k - 1)));
+        let both = [&row[..], &members].concat();
+        if follows && together(records, &both).is_some() {
+            *row = both;
+            steps.push(step);
+        } else {
+            rows.push((vec![step], members));
+        }
+    }
+    rows
 }

@@ -1,5 +1,6 @@
 //! What a module is as an entity: its objects, and the statements that drive them.
 
+mod held;
 mod instances;
 
 use super::fold::{self, Shapes, Statement};
@@ -8,7 +9,7 @@ use crate::expression::{Expression, Index, Name, Sub};
 use crate::graph::Place;
 use crate::netlist::{DelayLine, Driver, Module, Signal, SignalId};
 use crate::op::{Comb, Operand, Type};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 
 /// A constant table of an entity.
 pub(super) struct Table {
@@ -54,6 +55,8 @@ pub(super) struct View<'a> {
     inlined: Vec<bool>,
     /// Signals that are the output port they drive.
     direct: HashSet<SignalId>,
+    /// The places of copies that are elements of arrays.
+    held: HashMap<SignalId, Place>,
 }
 
 impl Shapes for View<'_> {
@@ -90,6 +93,7 @@ impl<'a> View<'a> {
             shapes: HashMap::new(),
             inlined,
             direct: HashSet::new(),
+            held: HashMap::new(),
         };
         let lines = module.delay_lines();
         let in_line: HashSet<SignalId> = lines.iter().flat_map(|l| l.registers.clone()).collect();
@@ -110,6 +114,7 @@ impl<'a> View<'a> {
                 view.direct.extend(port.members.iter().map(|m| m.0));
             }
         }
+        view.held = held::places(module, &|id| view.direct.contains(&id));
         let mut lines = lines;
         loop {
             let inner: HashSet<SignalId> =
@@ -124,11 +129,15 @@ impl<'a> View<'a> {
             let all = (0..module.signals.len()).map(SignalId).filter(declared);
             let all = all.map(|id| (module.signal(id), id)).map(|(s, id)| {
                 let is_port = matches!(s.driver, Driver::Port);
-                (if is_port { place(&s.place) } else { s.place.clone() }, s.ty, id)
+                (if is_port { place(&s.place) } else { view.held.get(&id).unwrap_or(&s.place).clone() }, s.ty, id)
             });
             let ends: HashSet<SignalId> = lines.iter().filter_map(|l| l.registers.last().copied()).collect();
             let process = |id| if ends.contains(&id) { Some(Process::Delays) } else { process(module, id) };
-            view.objects = objects(records, all.collect::<Vec<_>>().into_iter(), &process);
+            // Ports by themselves, so that they are what an instance takes them for.
+            let (ports, others): (Vec<_>, Vec<_>) =
+                all.partition(|(_, _, id)| matches!(module.signal(*id).driver, Driver::Port));
+            view.objects = objects(records, ports.into_iter(), &|_| None);
+            view.objects.extend(objects(records, others.into_iter(), &process));
             // Lines of different lengths that end in one object are registers one by one.
             let uneven: HashSet<SignalId> = view.uneven(&lines);
             if uneven.is_empty() {
@@ -146,6 +155,23 @@ impl<'a> View<'a> {
         view.find_lines(&lines);
         view.find_instances(records);
         view
+    }
+
+    /// The clocks from which on the copies in an array are there; nothing for other objects.
+    pub fn held_from(&self, object: &Object) -> BTreeSet<i32> {
+        let clock =
+            |(id, _): &(SignalId, Vec<Sub>)| self.module.signal(*id).clock.filter(|_| self.held.contains_key(id));
+        object.members.iter().filter_map(clock).collect()
+    }
+
+    /// Whether all that is driven without a register from some clock on is constant.
+    pub fn are_constants(&self, clock: Option<i32>) -> bool {
+        let mut all =
+            self.module.signals.iter().zip(&self.inlined).filter(|(s, inlined)| s.clock == clock && !**inlined);
+        all.all(|(s, _)| match &s.driver {
+            Driver::Combinational { op, .. } => matches!(op, Comb::Constant(_)),
+            _ => true,
+        })
     }
 
     /// The shapes of all objects.
@@ -214,7 +240,8 @@ impl<'a> View<'a> {
             }
             self.objects[*object].name.clone_from(&name);
             self.shapes.remove(&end);
-            self.shapes.insert(name, Shape::Array { vector: false, size: length + 1, of: Box::new(shape.clone()) });
+            self.shapes
+                .insert(name, Shape::Array { vector: false, first: 0, size: length + 1, of: Box::new(shape.clone()) });
             shapes.push(shape);
         }
         // All lines have their names: one may delay what another ends in.
@@ -239,7 +266,9 @@ impl<'a> View<'a> {
         let steps: Vec<(Sub, &Shape)> = match shape {
             Shape::Flag | Shape::Number(..) => return part(subs),
             Shape::Record(_, fields) => fields.iter().map(|(field, shape)| (Sub::Field(field), shape)).collect(),
-            Shape::Array { size, of, .. } => (0..*size).map(|i| (Sub::Index(Index::At(i)), &**of)).collect(),
+            Shape::Array { first, size, of, .. } => {
+                (*first..first + size).map(|i| (Sub::Index(Index::At(i)), &**of)).collect()
+            }
         };
         let mut parts = vec![];
         for (sub, shape) in steps {
@@ -304,7 +333,9 @@ impl<'a> View<'a> {
             let (Sub::Index(Index::At(i)), rest) = name.subs.split_last()? else { return None };
             let vector = Name { base: name.base.clone(), subs: rest.to_vec() };
             match self.part(&vector)? {
-                shape @ Shape::Array { size, .. } if shape.is_flags() => Some((vector, *i, *size)),
+                shape @ Shape::Array { first, size, .. } if shape.is_flags() => {
+                    Some((vector, i.checked_sub(*first)?, *size))
+                }
                 _ => None,
             }
         };
@@ -336,7 +367,7 @@ impl<'a> View<'a> {
             Some(name) => name.subs.iter().fold(name.base.clone(), |mut text, sub| {
                 match sub {
                     Sub::Index(Index::At(i)) => text.push_str(&format!("_{i}")),
-                    Sub::Index(Index::Loop { .. }) => {}
+                    Sub::Index(Index::Loop { .. }) | Sub::Range(..) => {}
                     Sub::Field(field) => text.push_str(&format!("_{field}")),
                 }
                 text
@@ -415,8 +446,8 @@ pub(super) fn ports(records: &Records, module: &Module) -> Vec<(bool, Object)> {
 /// An array of as many elements as another, of another kind.
 fn around(shape: &Shape, of: &Shape) -> Shape {
     match shape {
-        Shape::Array { vector, size, of: inner } => {
-            Shape::Array { vector: *vector, size: *size, of: Box::new(around(inner, of)) }
+        Shape::Array { vector, first, size, of: inner } => {
+            Shape::Array { vector: *vector, first: *first, size: *size, of: Box::new(around(inner, of)) }
         }
         _ => of.clone(),
     }

@@ -73,27 +73,32 @@ impl<'l, 'p> Guards<'l, 'p> {
     }
 
     /// The numbers behind a guard each, in a unit that has them; else as they are. Of numbers that are others in every
-    /// phase, those in busy phases count.
+    /// phase, those in busy phases count. They are named, with a number where there
+    /// are several of that name.
     pub fn guarded<const N: usize>(
         &self,
         numbers: [Number<Sig<'l>>; N],
         bound: i128,
         busy: &[bool],
-        name: &str,
+        (name, at): (&str, Option<usize>),
     ) -> [Number<Sig<'l>>; N] {
         if !self.p.has_guards() {
             return numbers;
         }
         let entity = if bound == self.p.coordinate_bound() { "guard_coordinate" } else { "guard_translation" };
         let guarded = numbers.map(|number| guard(entity, number, bound));
-        for flag in guarded.map(|g| g.1).named(&format!("{name}_outside")) {
+        let named = |signals: [Sig<'l>; N], what: &str| match at {
+            Some(k) => signals.named_at(&format!("{name}_{what}"), k),
+            None => signals.named(&format!("{name}_{what}")),
+        };
+        for flag in named(guarded.map(|g| g.1), "outside") {
             if busy.is_empty() {
                 self.of_pair.borrow_mut().push(flag);
             } else {
                 self.of_phases.borrow_mut().push((busy.to_vec(), flag));
             }
         }
-        guarded.map(|g| g.0.lo).named(&format!("{name}_inside"));
+        named(guarded.map(|g| g.0.lo), "inside");
         guarded.map(|g| g.0)
     }
 

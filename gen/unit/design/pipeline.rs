@@ -26,7 +26,8 @@ type Point<'l> = Vec3<Number<Sig<'l>>>;
 pub fn unit(p: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of",
-        "the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.",
+        "the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or",
+        "are elements of x_held.",
     ];
     Library::default().with_multiplier(multiplier(p)).block("pair_pipeline", &doc, p.interval(), |u| {
         let path = Path { u, p, formats: p.formats(), guards: Guards::new(u, p) };
@@ -126,8 +127,9 @@ impl<'l> Path<'l, '_> {
             }
             let busy = rows.marks();
             let bypass = rows.map(|_| pose.bypass).mux().named_at("row_bypass", r);
-            let guarded =
-                |number: Number<Sig<'l>>, bound, name: &str| self.guards.guarded([number], bound, &busy, name)[0];
+            let guarded = |number: Number<Sig<'l>>, bound, name: &str| {
+                self.guards.guarded([number], bound, &busy, (name, None))[0]
+            };
             // With the bypass t is 0.
             let t = rows.map(|row| pose.t[row % 3]).mux().named_at("row_t_pose", r);
             let t = or_else(bypass, None, t).named_at("row_t", r);
@@ -143,9 +145,9 @@ impl<'l> Path<'l, '_> {
                         or_else(bypass, Some(diagonal[j].choose(lo.like(p.one()), lo.like(0))), entries[j])
                     };
                     let m = Vec3::each(entry).named_at("row_m", r);
-                    let m = Vec3(self.guards.guarded(m.0, p.one(), &busy, &format!("row{r}_m")));
+                    let m = Vec3(self.guards.guarded(m.0, p.one(), &busy, (&format!("row{r}_m"), None)));
                     let x = rows.map(|row| w[row / 3]).mux().named_at("row_x", r);
-                    let x = Vec3(self.guards.guarded(x.0, p.coordinate_bound(), &busy, &format!("row{r}_x")));
+                    let x = Vec3(self.guards.guarded(x.0, p.coordinate_bound(), &busy, (&format!("row{r}_x"), None)));
                     transform_row(p, m, x, t, bypass)
                 }
                 None => {
@@ -214,8 +216,8 @@ impl<'l> Path<'l, '_> {
             let point = match &sources[i] {
                 Source::Transformed(point) => *point,
                 Source::Input(x) => {
-                    let name = if i < 3 { format!("in_v{i}") } else { format!("in_w{}", i - 3) };
-                    Vec3(self.guards.guarded(x.0, bound, &[], &name)).map(|x| x.declared(bound))
+                    let name = if i < 3 { ("in_v", Some(i)) } else { ("in_w", Some(i - 3)) };
+                    Vec3(self.guards.guarded(x.0, bound, &[], name)).map(|x| x.declared(bound))
                 }
             };
             renormalise::round(self.p, point).map(Interval::factor)
@@ -228,7 +230,7 @@ impl<'l> Path<'l, '_> {
         let (p, bound) = (self.p, self.p.coordinate_bound());
         let v0 = sources[0].input().expect("A is never transformed");
         // All others are taken relative to V0, so it has a guard of its own.
-        let v0 = Vec3(self.guards.guarded(v0.0, bound, &[], "in_v0"));
+        let v0 = Vec3(self.guards.guarded(v0.0, bound, &[], ("in_v0", None)));
         sources[0] = Source::Input(v0);
         let origin = v0.map(|x| x.lo);
         let lanes = lanes(p.interval());
@@ -286,7 +288,7 @@ impl<'l> Path<'l, '_> {
             // V0 alone has passed its guard.
             let alone = jobs.busy().all(|(_, i)| *i == 0);
             let bound = self.p.coordinate_bound();
-            let guarded = || Vec3(self.guards.guarded(point.0, bound, &inputs.marks(), &format!("lane{j}_input")));
+            let guarded = || Vec3(self.guards.guarded(point.0, bound, &inputs.marks(), ("lane_input", Some(j))));
             let point = if alone { point } else { guarded() }.map(|x| x.declared(bound));
             return if transformed.idle() { point } else { from_input.choose(point, transformed.mux()) };
         }

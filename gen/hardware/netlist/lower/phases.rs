@@ -44,8 +44,7 @@ impl Lowered<'_> {
             // Behind the latency nothing of a pair is read.
             let in_flight = |clock: &i32| (clock - 2).div_euclid(self.interval()) < self.holds.len() as i32;
             let clocks: Vec<i32> = clocks.into_iter().filter(in_flight).collect();
-            let flags: Vec<SignalId> = clocks.into_iter().map(|clock| self.busy(clock)).collect();
-            let any = flags.into_iter().reduce(|any, flag| self.either(any, flag));
+            let any = self.any_busy(&clocks);
             if let Driver::Register { enable, .. } = &mut self.out.signals[select.0].driver {
                 *enable = any;
             }
@@ -60,7 +59,10 @@ impl Lowered<'_> {
         let flag = match clock {
             0 => {
                 let last = self.in_phase(-1);
-                self.either(self.holds[0], last)
+                let args = vec![self.holds[0], last];
+                let either = self.combined(Some("busy_0".to_owned()), Or, args);
+                self.out.signals[either.0].comment = "set in the clock before a pair, and in clock 0 of one".to_owned();
+                either
             }
             1 => self.holds[0],
             _ => {
@@ -93,14 +95,26 @@ impl Lowered<'_> {
         self.combined(name, Equal, vec![phase, number])
     }
 
-    fn either(&mut self, a: SignalId, b: SignalId) -> SignalId {
-        if let Some(known) = self.either.get(&[a, b]) {
-            return *known;
+    /// A flag set where one of those of some clocks is: it has a name of its own where it is more than part of another.
+    fn any_busy(&mut self, clocks: &[i32]) -> Option<SignalId> {
+        let (last, before) = clocks.split_last()?;
+        let any = self.any_busy(before);
+        let flag = self.busy(*last);
+        let Some(any) = any else { return Some(flag) };
+        if let Some(known) = self.either.get(&[any, flag]) {
+            return Some(*known);
         }
-        let [first, second] = [a, b].map(|id| self.out.signal(id).name());
-        let either = self.combined(Some(format!("{first}_or_{second}")), Or, vec![a, b]);
-        self.either.insert([a, b], either);
-        either
+        let name = format!("busy_{}_to_{last}", clocks[0]);
+        let taken = |name: &String| self.out.signals.iter().any(|signal| signal.place.base == *name);
+        let numbered = (2..).map(|n| format!("{name}_{n}"));
+        let name = std::iter::once(name.clone()).chain(numbered).find(|name| !taken(name));
+        let either = self.combined(name, Or, vec![any, flag]);
+        let all: Vec<String> = clocks.iter().map(ToString::to_string).collect();
+        let signal = &mut self.out.signals[either.0];
+        signal.named = false;
+        signal.comment = format!("a pair comes to clock {} or is in it", all.join(", "));
+        self.either.insert([any, flag], either);
+        Some(either)
     }
 
     fn combined(&mut self, name: Option<String>, op: impl Into<Comb>, args: Vec<SignalId>) -> SignalId {

@@ -45,40 +45,40 @@ fn values_of_pairs_are_held_and_captured() {
     });
     expect![[r#"
         module sample, latency 4 clocks
-          phase                 flag                          Port                                                              -- phase of the slot: 0 in the first clock of the inputs
-          holds0                flag                          Port                                                              -- whether the slot k slots ago holds a pair
-          holds1                flag                          Port                                                              -- whether the slot k slots ago holds a pair
-          holds2                flag                          Port                                                              -- whether the slot k slots ago holds a pair
-          a                     s4.4  -128..127      clock 0  Port
-          b                     s4.4  -128..127      clock 0  Port
-          c                     s4.4  -128..127      clock 0  Port
-          d                     s4.4  -128..127      clock 0  Port
-          x                     s4.4  -128..127      clock 0  Select x_select_at_0, a, c
-          x_select_at_0         flag                          Register of Lookup([1, 0], flag) phase when holds0_or_in_phase_1
-          y                     s4.4  -128..127      clock 0  Select x_select_at_0, b, d
-          x_d1                  s4.4  -128..127      clock 1  Register of x
-          y_d1                  s4.4  -128..127      clock 1  Register of y
-          product               s8.8  -16256..16384  clock 2  Register of Multiply x_d1, y_d1
-          (flag#14)             flag                          Or holds0, holds1
-          (flag#15)             flag                          Or flag#14, holds2
-          phase_number#16       flag                          Constant(1, flag)
-          in_phase_1            flag                          Equal phase, phase_number#16
-          in_flight             flag                          Or flag#15, in_phase_1                                            -- a pair is in the data path, or may be in the next clock
-          phase_number#19       flag                          Constant(1, flag)
-          (flag#20)             flag                          Equal phase, phase_number#19
-          strobe0               flag                          Register of And flag#20, in_flight                                -- one flag per phase
-          phase_number#22       flag                          Constant(0, flag)
-          (flag#23)             flag                          Equal phase, phase_number#22
-          strobe1               flag                          Register of And flag#23, in_flight                                -- one flag per phase
-          p0                    s8.8  -16256..16384  clock 3  Register of product when strobe0
-          p1                    s8.8  -16256..16384  clock 4  Register of product when strobe1
-          difference            s9.8  -32640..32640  clock 4  Subtract p0, p1
-          ad                    s8.8  -16256..16384  clock 1  Register of Multiply a, d
-          sign                  flag  0..1           clock 1  SignBit ad
-          sign_d1               flag  0..1           clock 2  Register of sign
-          sign_d2               flag  0..1           clock 3  Register of sign_d1
-          sign_d3               flag  0..1           clock 4  Register of sign_d2
-          holds0_or_in_phase_1  flag                          Or holds0, in_phase_1
+          phase            flag                          Port                                                -- phase of the slot: 0 in the first clock of the inputs
+          holds0           flag                          Port                                                -- whether the slot k slots ago holds a pair
+          holds1           flag                          Port                                                -- whether the slot k slots ago holds a pair
+          holds2           flag                          Port                                                -- whether the slot k slots ago holds a pair
+          a                s4.4  -128..127      clock 0  Port
+          b                s4.4  -128..127      clock 0  Port
+          c                s4.4  -128..127      clock 0  Port
+          d                s4.4  -128..127      clock 0  Port
+          x                s4.4  -128..127      clock 0  Select x_select_at_0, a, c
+          x_select_at_0    flag                          Register of Lookup([1, 0], flag) phase when busy_0
+          y                s4.4  -128..127      clock 0  Select x_select_at_0, b, d
+          x_d1             s4.4  -128..127      clock 1  Register of x
+          y_d1             s4.4  -128..127      clock 1  Register of y
+          product          s8.8  -16256..16384  clock 2  Register of Multiply x_d1, y_d1
+          (flag#14)        flag                          Or holds0, holds1
+          (flag#15)        flag                          Or flag#14, holds2
+          phase_number#16  flag                          Constant(1, flag)
+          in_phase_1       flag                          Equal phase, phase_number#16
+          in_flight        flag                          Or flag#15, in_phase_1                              -- a pair is in the data path, or may be in the next clock
+          phase_number#19  flag                          Constant(1, flag)
+          (flag#20)        flag                          Equal phase, phase_number#19
+          strobe0          flag                          Register of And flag#20, in_flight                  -- one flag per phase
+          phase_number#22  flag                          Constant(0, flag)
+          (flag#23)        flag                          Equal phase, phase_number#22
+          strobe1          flag                          Register of And flag#23, in_flight                  -- one flag per phase
+          p0               s8.8  -16256..16384  clock 3  Register of product when strobe0
+          p1               s8.8  -16256..16384  clock 4  Register of product when strobe1
+          difference       s9.8  -32640..32640  clock 4  Subtract p0, p1
+          ad               s8.8  -16256..16384  clock 1  Register of Multiply a, d
+          sign             flag  0..1           clock 1  SignBit ad
+          sign_d1          flag  0..1           clock 2  Register of sign
+          sign_d2          flag  0..1           clock 3  Register of sign_d1
+          sign_d3          flag  0..1           clock 4  Register of sign_d2
+          busy_0           flag                          Or holds0, in_phase_1                               -- set in the clock before a pair, and in clock 0 of one
           output difference: difference
           output sign: sign_d3
           delay line sign: sign_d1, sign_d2, sign_d3
@@ -95,32 +95,32 @@ fn running_flags_are_reset_in_the_clock_before_they_start_anew() {
     });
     expect![[r#"
         module sample, latency 3 clocks
-          phase                 2 bits                 Port                                                                   -- phase of the slot: 0 in the first clock of the inputs
-          holds0                flag                   Port                                                                   -- whether the slot k slots ago holds a pair
-          holds1                flag                   Port                                                                   -- whether the slot k slots ago holds a pair
-          a0                    flag    0..1  clock 0  Port
-          a1                    flag    0..1  clock 0  Port
-          a2                    flag    0..1  clock 0  Port
-          x                     flag    0..1  clock 0  Select x_select_at_0, a0, a1, a2
-          x_select_at_0         2 bits                 Register of Lookup([1, 2, 0], 2 bits) phase when holds0_or_in_phase_2
-          first_at_2            flag                   Register of Lookup([0, 1, 1], flag) phase
-          so_far_before         flag                   Register of so_far, 0 at first and by first_at_2
-          so_far                flag    0..1  clock 0  Or x, so_far_before
-          (flag#11)             flag                   Or holds0, holds1
-          phase_number#12       2 bits                 Constant(2, 2 bits)
-          in_phase_2            flag                   Equal phase, phase_number#12
-          in_flight             flag                   Or flag#11, in_phase_2                                                 -- a pair is in the data path, or may be in the next clock
-          phase_number#15       2 bits                 Constant(2, 2 bits)
-          (flag#16)             flag                   Equal phase, phase_number#15
-          strobe0               flag                   Register of And flag#16, in_flight                                     -- one flag per phase
-          phase_number#18       2 bits                 Constant(0, 2 bits)
-          (flag#19)             flag                   Equal phase, phase_number#18
-          strobe1               flag                   Register of And flag#19, in_flight                                     -- one flag per phase
-          phase_number#21       2 bits                 Constant(1, 2 bits)
-          (flag#22)             flag                   Equal phase, phase_number#21
-          strobe2               flag                   Register of And flag#22, in_flight                                     -- one flag per phase
-          y                     flag    0..1  clock 3  Register of so_far when strobe2
-          holds0_or_in_phase_2  flag                   Or holds0, in_phase_2
+          phase            2 bits                 Port                                                     -- phase of the slot: 0 in the first clock of the inputs
+          holds0           flag                   Port                                                     -- whether the slot k slots ago holds a pair
+          holds1           flag                   Port                                                     -- whether the slot k slots ago holds a pair
+          a0               flag    0..1  clock 0  Port
+          a1               flag    0..1  clock 0  Port
+          a2               flag    0..1  clock 0  Port
+          x                flag    0..1  clock 0  Select x_select_at_0, a0, a1, a2
+          x_select_at_0    2 bits                 Register of Lookup([1, 2, 0], 2 bits) phase when busy_0
+          first_at_2       flag                   Register of Lookup([0, 1, 1], flag) phase
+          so_far_before    flag                   Register of so_far, 0 at first and by first_at_2
+          so_far           flag    0..1  clock 0  Or x, so_far_before
+          (flag#11)        flag                   Or holds0, holds1
+          phase_number#12  2 bits                 Constant(2, 2 bits)
+          in_phase_2       flag                   Equal phase, phase_number#12
+          in_flight        flag                   Or flag#11, in_phase_2                                   -- a pair is in the data path, or may be in the next clock
+          phase_number#15  2 bits                 Constant(2, 2 bits)
+          (flag#16)        flag                   Equal phase, phase_number#15
+          strobe0          flag                   Register of And flag#16, in_flight                       -- one flag per phase
+          phase_number#18  2 bits                 Constant(0, 2 bits)
+          (flag#19)        flag                   Equal phase, phase_number#18
+          strobe1          flag                   Register of And flag#19, in_flight                       -- one flag per phase
+          phase_number#21  2 bits                 Constant(1, 2 bits)
+          (flag#22)        flag                   Equal phase, phase_number#21
+          strobe2          flag                   Register of And flag#22, in_flight                       -- one flag per phase
+          y                flag    0..1  clock 3  Register of so_far when strobe2
+          busy_0           flag                   Or holds0, in_phase_2                                    -- set in the clock before a pair, and in clock 0 of one
           output y: y
     "#]].assert_eq(&dump::module(&lowered_for("lfe5u-85-6", &block, 100).0));
 }
@@ -137,35 +137,35 @@ fn what_was_before_is_a_tap_of_a_delay_line() {
     });
     expect![[r#"
         module sample, latency 3 clocks
-          phase                 2 bits                      Port                                                                   -- phase of the slot: 0 in the first clock of the inputs
-          holds0                flag                        Port                                                                   -- whether the slot k slots ago holds a pair
-          holds1                flag                        Port                                                                   -- whether the slot k slots ago holds a pair
-          a0                    s4.4    -128..127  clock 0  Port
-          a1                    s4.4    -128..127  clock 0  Port
-          a2                    s4.4    -128..127  clock 0  Port
-          x                     s4.4    -128..127  clock 0  Select x_select_at_0, a0, a1, a2
-          x_select_at_0         2 bits                      Register of Lookup([1, 2, 0], 2 bits) phase when holds0_or_in_phase_2
-          x_d1                  s4.4    -128..127  clock 1  Register of x
-          x_d2                  s4.4    -128..127  clock 2  Register of x_d1
-          sum                   s5.4    -256..254  clock 0  Add x, x_d2
-          constant_at_1         s4.4                        Register of Lookup([0, 1, 2], s4.4) phase when holds0_or_in_phase_2
-          other                 s5.4    -129..127  clock 0  Subtract x, constant_at_1
-          (flag#13)             flag                        Or holds0, holds1
-          phase_number#14       2 bits                      Constant(2, 2 bits)
-          in_phase_2            flag                        Equal phase, phase_number#14
-          in_flight             flag                        Or flag#13, in_phase_2                                                 -- a pair is in the data path, or may be in the next clock
-          phase_number#17       2 bits                      Constant(2, 2 bits)
-          (flag#18)             flag                        Equal phase, phase_number#17
-          strobe0               flag                        Register of And flag#18, in_flight                                     -- one flag per phase
-          phase_number#20       2 bits                      Constant(0, 2 bits)
-          (flag#21)             flag                        Equal phase, phase_number#20
-          strobe1               flag                        Register of And flag#21, in_flight                                     -- one flag per phase
-          phase_number#23       2 bits                      Constant(1, 2 bits)
-          (flag#24)             flag                        Equal phase, phase_number#23
-          strobe2               flag                        Register of And flag#24, in_flight                                     -- one flag per phase
-          y                     s5.4    -256..254  clock 3  Register of sum when strobe2
-          z                     s5.4    -129..126  clock 3  Register of other when strobe2
-          holds0_or_in_phase_2  flag                        Or holds0, in_phase_2
+          phase            2 bits                      Port                                                     -- phase of the slot: 0 in the first clock of the inputs
+          holds0           flag                        Port                                                     -- whether the slot k slots ago holds a pair
+          holds1           flag                        Port                                                     -- whether the slot k slots ago holds a pair
+          a0               s4.4    -128..127  clock 0  Port
+          a1               s4.4    -128..127  clock 0  Port
+          a2               s4.4    -128..127  clock 0  Port
+          x                s4.4    -128..127  clock 0  Select x_select_at_0, a0, a1, a2
+          x_select_at_0    2 bits                      Register of Lookup([1, 2, 0], 2 bits) phase when busy_0
+          x_d1             s4.4    -128..127  clock 1  Register of x
+          x_d2             s4.4    -128..127  clock 2  Register of x_d1
+          sum              s5.4    -256..254  clock 0  Add x, x_d2
+          constant_at_1    s4.4                        Register of Lookup([0, 1, 2], s4.4) phase when busy_0
+          other            s5.4    -129..127  clock 0  Subtract x, constant_at_1
+          (flag#13)        flag                        Or holds0, holds1
+          phase_number#14  2 bits                      Constant(2, 2 bits)
+          in_phase_2       flag                        Equal phase, phase_number#14
+          in_flight        flag                        Or flag#13, in_phase_2                                   -- a pair is in the data path, or may be in the next clock
+          phase_number#17  2 bits                      Constant(2, 2 bits)
+          (flag#18)        flag                        Equal phase, phase_number#17
+          strobe0          flag                        Register of And flag#18, in_flight                       -- one flag per phase
+          phase_number#20  2 bits                      Constant(0, 2 bits)
+          (flag#21)        flag                        Equal phase, phase_number#20
+          strobe1          flag                        Register of And flag#21, in_flight                       -- one flag per phase
+          phase_number#23  2 bits                      Constant(1, 2 bits)
+          (flag#24)        flag                        Equal phase, phase_number#23
+          strobe2          flag                        Register of And flag#24, in_flight                       -- one flag per phase
+          y                s5.4    -256..254  clock 3  Register of sum when strobe2
+          z                s5.4    -129..126  clock 3  Register of other when strobe2
+          busy_0           flag                        Or holds0, in_phase_2                                    -- set in the clock before a pair, and in clock 0 of one
           output y: y
           output z: z
     "#]].assert_eq(&dump::module(&lowered_for("lfe5u-85-6", &block, 100).0));
@@ -180,9 +180,9 @@ fn wide_multiplexers_choose_in_groups_and_among_them() {
     });
     expect![[r#"
         module sample, latency 10 clocks
-          phase                   4 bits                       Port                                                                                     -- phase of the slot: 0 in the first clock of the inputs
-          holds0                  flag                         Port                                                                                     -- whether the slot k slots ago holds a pair
-          holds1                  flag                         Port                                                                                     -- whether the slot k slots ago holds a pair
+          phase                   4 bits                       Port                                                                       -- phase of the slot: 0 in the first clock of the inputs
+          holds0                  flag                         Port                                                                       -- whether the slot k slots ago holds a pair
+          holds1                  flag                         Port                                                                       -- whether the slot k slots ago holds a pair
           a0                      s4.4    -128..127  clock 0   Port
           a1                      s4.4    -128..127  clock 0   Port
           a2                      s4.4    -128..127  clock 0   Port
@@ -193,43 +193,43 @@ fn wide_multiplexers_choose_in_groups_and_among_them() {
           a7                      s4.4    -128..127  clock 0   Port
           a8                      s4.4    -128..127  clock 0   Port
           x                       s4.4    -128..127  clock 1   Select x_select_group_at_1, x_group_0, x_group_1
-          x_select_in_group_at_0  2 bits                       Register of Lookup([1, 2, 0, 3, 0, 1, 2, 3, 0], 2 bits) phase when holds0_or_in_phase_8
-          x_group_0               s4.4    -128..127  clock 1   Register of Select x_select_in_group_at_0, a0, a1, a2, a4                                -- operands 0 to 3
-          x_group_1               s4.4    -128..127  clock 1   Register of Select x_select_in_group_at_0, a5, a6, a7, a8                                -- operands 4 to 7
+          x_select_in_group_at_0  2 bits                       Register of Lookup([1, 2, 0, 3, 0, 1, 2, 3, 0], 2 bits) phase when busy_0
+          x_group_0               s4.4    -128..127  clock 1   Register of Select x_select_in_group_at_0, a0, a1, a2, a4                  -- operands 0 to 3
+          x_group_1               s4.4    -128..127  clock 1   Register of Select x_select_in_group_at_0, a5, a6, a7, a8                  -- operands 4 to 7
           x_select_group_at_1     flag                         Register of Lookup([0, 0, 0, 0, 0, 1, 1, 1, 1], flag) phase when holds0
           (flag#17)               flag                         Or holds0, holds1
           phase_number#18         4 bits                       Constant(8, 4 bits)
           in_phase_8              flag                         Equal phase, phase_number#18
-          in_flight               flag                         Or flag#17, in_phase_8                                                                   -- a pair is in the data path, or may be in the next clock
+          in_flight               flag                         Or flag#17, in_phase_8                                                     -- a pair is in the data path, or may be in the next clock
           phase_number#21         4 bits                       Constant(8, 4 bits)
           (flag#22)               flag                         Equal phase, phase_number#21
-          strobe0                 flag                         Register of And flag#22, in_flight                                                       -- one flag per phase
+          strobe0                 flag                         Register of And flag#22, in_flight                                         -- one flag per phase
           phase_number#24         4 bits                       Constant(0, 4 bits)
           (flag#25)               flag                         Equal phase, phase_number#24
-          strobe1                 flag                         Register of And flag#25, in_flight                                                       -- one flag per phase
+          strobe1                 flag                         Register of And flag#25, in_flight                                         -- one flag per phase
           phase_number#27         4 bits                       Constant(1, 4 bits)
           (flag#28)               flag                         Equal phase, phase_number#27
-          strobe2                 flag                         Register of And flag#28, in_flight                                                       -- one flag per phase
+          strobe2                 flag                         Register of And flag#28, in_flight                                         -- one flag per phase
           phase_number#30         4 bits                       Constant(2, 4 bits)
           (flag#31)               flag                         Equal phase, phase_number#30
-          strobe3                 flag                         Register of And flag#31, in_flight                                                       -- one flag per phase
+          strobe3                 flag                         Register of And flag#31, in_flight                                         -- one flag per phase
           phase_number#33         4 bits                       Constant(3, 4 bits)
           (flag#34)               flag                         Equal phase, phase_number#33
-          strobe4                 flag                         Register of And flag#34, in_flight                                                       -- one flag per phase
+          strobe4                 flag                         Register of And flag#34, in_flight                                         -- one flag per phase
           phase_number#36         4 bits                       Constant(4, 4 bits)
           (flag#37)               flag                         Equal phase, phase_number#36
-          strobe5                 flag                         Register of And flag#37, in_flight                                                       -- one flag per phase
+          strobe5                 flag                         Register of And flag#37, in_flight                                         -- one flag per phase
           phase_number#39         4 bits                       Constant(5, 4 bits)
           (flag#40)               flag                         Equal phase, phase_number#39
-          strobe6                 flag                         Register of And flag#40, in_flight                                                       -- one flag per phase
+          strobe6                 flag                         Register of And flag#40, in_flight                                         -- one flag per phase
           phase_number#42         4 bits                       Constant(6, 4 bits)
           (flag#43)               flag                         Equal phase, phase_number#42
-          strobe7                 flag                         Register of And flag#43, in_flight                                                       -- one flag per phase
+          strobe7                 flag                         Register of And flag#43, in_flight                                         -- one flag per phase
           phase_number#45         4 bits                       Constant(7, 4 bits)
           (flag#46)               flag                         Equal phase, phase_number#45
-          strobe8                 flag                         Register of And flag#46, in_flight                                                       -- one flag per phase
+          strobe8                 flag                         Register of And flag#46, in_flight                                         -- one flag per phase
           y                       s4.4    -128..127  clock 10  Register of x when strobe0
-          holds0_or_in_phase_8    flag                         Or holds0, in_phase_8
+          busy_0                  flag                         Or holds0, in_phase_8                                                      -- set in the clock before a pair, and in clock 0 of one
           output y: y
     "#]].assert_eq(&dump::module(&lowered(&block, 300)));
 }
@@ -245,38 +245,38 @@ fn values_captured_of_one_stream_are_read_from_a_delay_line_with_a_tap() {
     });
     expect![[r#"
         module sample, latency 7 clocks
-          phase                  2 bits                      Port                                                                      -- phase of the slot: 0 in the first clock of the inputs
-          holds0                 flag                        Port                                                                      -- whether the slot k slots ago holds a pair
-          holds1                 flag                        Port                                                                      -- whether the slot k slots ago holds a pair
+          phase                  2 bits                      Port                                                        -- phase of the slot: 0 in the first clock of the inputs
+          holds0                 flag                        Port                                                        -- whether the slot k slots ago holds a pair
+          holds1                 flag                        Port                                                        -- whether the slot k slots ago holds a pair
           a0                     s4.4    -128..127  clock 0  Port
           a1                     s4.4    -128..127  clock 0  Port
           a2                     s4.4    -128..127  clock 0  Port
           a3                     s4.4    -128..127  clock 0  Port
           x                      s4.4    -128..127  clock 0  Select x_select_at_0, a0, a1, a2, a3
-          x_select_at_0          2 bits                      Register of Lookup([1, 2, 3, 0], 2 bits) phase when holds0_or_in_phase_3
+          x_select_at_0          2 bits                      Register of Lookup([1, 2, 3, 0], 2 bits) phase when busy_0
           (flag#9)               flag                        Or holds0, holds1
           phase_number#10        2 bits                      Constant(3, 2 bits)
           in_phase_3             flag                        Equal phase, phase_number#10
-          in_flight              flag                        Or flag#9, in_phase_3                                                     -- a pair is in the data path, or may be in the next clock
+          in_flight              flag                        Or flag#9, in_phase_3                                       -- a pair is in the data path, or may be in the next clock
           phase_number#13        2 bits                      Constant(3, 2 bits)
           (flag#14)              flag                        Equal phase, phase_number#13
-          strobe0                flag                        Register of And flag#14, in_flight                                        -- one flag per phase
+          strobe0                flag                        Register of And flag#14, in_flight                          -- one flag per phase
           phase_number#16        2 bits                      Constant(0, 2 bits)
           (flag#17)              flag                        Equal phase, phase_number#16
-          strobe1                flag                        Register of And flag#17, in_flight                                        -- one flag per phase
+          strobe1                flag                        Register of And flag#17, in_flight                          -- one flag per phase
           phase_number#19        2 bits                      Constant(1, 2 bits)
           (flag#20)              flag                        Equal phase, phase_number#19
-          strobe2                flag                        Register of And flag#20, in_flight                                        -- one flag per phase
+          strobe2                flag                        Register of And flag#20, in_flight                          -- one flag per phase
           phase_number#22        2 bits                      Constant(2, 2 bits)
           (flag#23)              flag                        Equal phase, phase_number#22
-          strobe3                flag                        Register of And flag#23, in_flight                                        -- one flag per phase
+          strobe3                flag                        Register of And flag#23, in_flight                          -- one flag per phase
           again_select_tap_at_3  4 bits                      Register of Lookup([4, 4, 0, 1], 4 bits) phase when busy_3
           again                  s4.4    -128..127  clock 3  y of again_line
           y                      s4.4    -128..127  clock 7  Register of again when strobe2
-          holds0_or_in_phase_3   flag                        Or holds0, in_phase_3
+          busy_0                 flag                        Or holds0, in_phase_3                                       -- set in the clock before a pair, and in clock 0 of one
           phase_number#29        2 bits                      Constant(1, 2 bits)
           in_phase_1             flag                        Equal phase, phase_number#29
-          busy_3                 flag                        Register of holds0 when in_phase_1                                        -- set in clocks 2 to 5 of a pair
+          busy_3                 flag                        Register of holds0 when in_phase_1                          -- set in clocks 2 to 5 of a pair
           instance again_line: tapped_line_8 of x, again_select_tap_at_3
           output y: y
     "#]].assert_eq(&dump::module(&lowered(&block, 100)));
@@ -293,27 +293,27 @@ fn late_operands_are_connected_last() {
     });
     expect![[r#"
         module sample, latency 2 clocks
-          phase                 flag                  Port                                                              -- phase of the slot: 0 in the first clock of the inputs
-          holds0                flag                  Port                                                              -- whether the slot k slots ago holds a pair
-          holds1                flag                  Port                                                              -- whether the slot k slots ago holds a pair
-          a                     s4.4  0..9   clock 0  Port
-          x                     s4.4  0..50  clock 0  Select x_select_at_0, a, first
-          (next_constant)       s4.4  1..1            Constant(1, s4.4)
-          next                  s4.4  1..51  clock 0  Add(Some(8)) x, next_constant
-          (flag#7)              flag                  Or holds0, holds1
-          phase_number#8        flag                  Constant(1, flag)
-          in_phase_1            flag                  Equal phase, phase_number#8
-          in_flight             flag                  Or flag#7, in_phase_1                                             -- a pair is in the data path, or may be in the next clock
-          phase_number#11       flag                  Constant(1, flag)
-          (flag#12)             flag                  Equal phase, phase_number#11
-          strobe0               flag                  Register of And flag#12, in_flight                                -- one flag per phase
-          phase_number#14       flag                  Constant(0, flag)
-          (flag#15)             flag                  Equal phase, phase_number#14
-          strobe1               flag                  Register of And flag#15, in_flight                                -- one flag per phase
-          first                 s4.4  1..10  clock 1  Register of next when strobe0
-          y                     s4.4  0..50  clock 2  Register of x when strobe1
-          x_select_at_0         flag                  Register of Lookup([1, 0], flag) phase when holds0_or_in_phase_1
-          holds0_or_in_phase_1  flag                  Or holds0, in_phase_1
+          phase            flag                  Port                                                -- phase of the slot: 0 in the first clock of the inputs
+          holds0           flag                  Port                                                -- whether the slot k slots ago holds a pair
+          holds1           flag                  Port                                                -- whether the slot k slots ago holds a pair
+          a                s4.4  0..9   clock 0  Port
+          x                s4.4  0..50  clock 0  Select x_select_at_0, a, first
+          (next_constant)  s4.4  1..1            Constant(1, s4.4)
+          next             s4.4  1..51  clock 0  Add(Some(8)) x, next_constant
+          (flag#7)         flag                  Or holds0, holds1
+          phase_number#8   flag                  Constant(1, flag)
+          in_phase_1       flag                  Equal phase, phase_number#8
+          in_flight        flag                  Or flag#7, in_phase_1                               -- a pair is in the data path, or may be in the next clock
+          phase_number#11  flag                  Constant(1, flag)
+          (flag#12)        flag                  Equal phase, phase_number#11
+          strobe0          flag                  Register of And flag#12, in_flight                  -- one flag per phase
+          phase_number#14  flag                  Constant(0, flag)
+          (flag#15)        flag                  Equal phase, phase_number#14
+          strobe1          flag                  Register of And flag#15, in_flight                  -- one flag per phase
+          first            s4.4  1..10  clock 1  Register of next when strobe0
+          y                s4.4  0..50  clock 2  Register of x when strobe1
+          x_select_at_0    flag                  Register of Lookup([1, 0], flag) phase when busy_0
+          busy_0           flag                  Or holds0, in_phase_1                               -- set in the clock before a pair, and in clock 0 of one
           output y: y
     "#]].assert_eq(&dump::module(&lowered(&block, 100)));
 }
@@ -357,29 +357,29 @@ fn instances_and_probes() {
           y  s8.8  -16256..16384  clock 1  Register of Multiply x, x
           output y: y
         module sample, latency 4 clocks
-          phase                 flag                          Port                                                              -- phase of the slot: 0 in the first clock of the inputs
-          holds0                flag                          Port                                                              -- whether the slot k slots ago holds a pair
-          holds1                flag                          Port                                                              -- whether the slot k slots ago holds a pair
-          holds2                flag                          Port                                                              -- whether the slot k slots ago holds a pair
-          a                     s4.4  -128..127      clock 0  Port
-          b                     s4.4  -128..127      clock 0  Port
-          x                     s4.4  -128..127      clock 0  Select x_select_at_0, a, b
-          x_select_at_0         flag                          Register of Lookup([1, 0], flag) phase when holds0_or_in_phase_1
-          x_d1                  s4.4  -128..127      clock 1  Register of x
-          square                s8.8  -16256..16384  clock 2  y of square_unit
-          (flag#10)             flag                          Or holds0, holds1
-          (flag#11)             flag                          Or flag#10, holds2
-          phase_number#12       flag                          Constant(1, flag)
-          in_phase_1            flag                          Equal phase, phase_number#12
-          in_flight             flag                          Or flag#11, in_phase_1                                            -- a pair is in the data path, or may be in the next clock
-          phase_number#15       flag                          Constant(1, flag)
-          (flag#16)             flag                          Equal phase, phase_number#15
-          strobe0               flag                          Register of And flag#16, in_flight                                -- one flag per phase
-          phase_number#18       flag                          Constant(0, flag)
-          (flag#19)             flag                          Equal phase, phase_number#18
-          strobe1               flag                          Register of And flag#19, in_flight                                -- one flag per phase
-          z                     s8.8  -16256..16384  clock 4  Register of square when strobe1
-          holds0_or_in_phase_1  flag                          Or holds0, in_phase_1
+          phase            flag                          Port                                                -- phase of the slot: 0 in the first clock of the inputs
+          holds0           flag                          Port                                                -- whether the slot k slots ago holds a pair
+          holds1           flag                          Port                                                -- whether the slot k slots ago holds a pair
+          holds2           flag                          Port                                                -- whether the slot k slots ago holds a pair
+          a                s4.4  -128..127      clock 0  Port
+          b                s4.4  -128..127      clock 0  Port
+          x                s4.4  -128..127      clock 0  Select x_select_at_0, a, b
+          x_select_at_0    flag                          Register of Lookup([1, 0], flag) phase when busy_0
+          x_d1             s4.4  -128..127      clock 1  Register of x
+          square           s8.8  -16256..16384  clock 2  y of square_unit
+          (flag#10)        flag                          Or holds0, holds1
+          (flag#11)        flag                          Or flag#10, holds2
+          phase_number#12  flag                          Constant(1, flag)
+          in_phase_1       flag                          Equal phase, phase_number#12
+          in_flight        flag                          Or flag#11, in_phase_1                              -- a pair is in the data path, or may be in the next clock
+          phase_number#15  flag                          Constant(1, flag)
+          (flag#16)        flag                          Equal phase, phase_number#15
+          strobe0          flag                          Register of And flag#16, in_flight                  -- one flag per phase
+          phase_number#18  flag                          Constant(0, flag)
+          (flag#19)        flag                          Equal phase, phase_number#18
+          strobe1          flag                          Register of And flag#19, in_flight                  -- one flag per phase
+          z                s8.8  -16256..16384  clock 4  Register of square when strobe1
+          busy_0           flag                          Or holds0, in_phase_1                               -- set in the clock before a pair, and in clock 0 of one
           instance square_unit: square of x_d1
           output z: z
           output probe_x: x

@@ -415,11 +415,11 @@ fn delays_are_lines_and_phases_are_tables() {
           signal sum : signed(12 downto 0);  -- s9.4; |.| <= 1151
           signal shift_at_3 : signed(7 downto 0) := (others => '0');  -- s4.4
           signal shifted : signed(8 downto 0);  -- s5.4; |.| <= 130
-          signal holds0_or_in_phase_3 : std_logic;
+          signal busy_0 : std_logic;  -- set in the clock before a pair, and in clock 0 of one
           signal in_phase_1 : std_logic;
           signal busy_3 : std_logic := '0';  -- set in clocks 2 to 5 of a pair
         begin
-          -- Strobes, one per phase
+          -- Strobes, one per phase, and flags of pairs
           strobes : process (clk)
           begin
             if rising_edge(clk) then
@@ -430,7 +430,7 @@ fn delays_are_lines_and_phases_are_tables() {
           end process strobes;
           in_phase_3 <= flag(known(phase) = 3);
           in_flight <= holds(0) or holds(1) or in_phase_3;
-          holds0_or_in_phase_3 <= holds(0) or in_phase_3;
+          busy_0 <= holds(0) or in_phase_3;
           in_phase_1 <= flag(known(phase) = 1);
 
           -- Clock 0
@@ -466,7 +466,7 @@ fn delays_are_lines_and_phases_are_tables() {
           selectors : process (clk)
           begin
             if rising_edge(clk) then
-              if holds0_or_in_phase_3 = '1' then
+              if busy_0 = '1' then
                 x_select_at_0 <= to_unsigned(x_select_at_0_table(to_integer(known(phase))), 2);
               end if;
               if busy_3 = '1' then
@@ -499,6 +499,139 @@ fn delays_are_lines_and_phases_are_tables() {
               x_line <= x_d1 & x_line(1 to 3);
             end if;
           end process delays;
+        end architecture rtl;"#]]
+    .assert_eq(&inside(&lowered(&block, 100)));
+}
+
+#[test]
+fn copies_that_are_held_are_arrays_with_the_numbers_of_the_bundle() {
+    let block = block(2, |top| {
+        let a = [0; 5].map(|_| top.input(S8, ALL)).to_vec().named("a");
+        let b = top.input(S8, ALL).named("b");
+        let mut power = b;
+        for k in 0..4 {
+            power = (power * b).named_at("power", k).negative().choose(b, a[0]);
+        }
+        let sums: Vec<Sig> = a[1..].iter().map(|a| *a + power).collect();
+        [vec![(a[0] + power.negative().choose(a[0], b)).named("y")], sums.named("sums")].concat()
+    });
+    expect![[r#"
+        entity sample is
+          port (
+            clk   : in  std_logic;
+            phase : in  std_logic;  -- phase of the slot: 0 in the first clock of the inputs
+            holds : in  std_logic_vector(4 downto 0);  -- whether the slot k slots ago holds a pair
+            a     : in  signed_8_x5_t;  -- s4.4; |.| <= 128
+            b     : in  signed(7 downto 0);  -- s4.4; |.| <= 128
+            y     : out signed(8 downto 0);  -- s5.4; |.| <= 256
+            sums  : out signed_9_x4_t  -- s5.4; |.| <= 256
+          );
+        end entity sample;
+
+        architecture rtl of sample is
+          signal power0 : signed(15 downto 0) := (others => '0');  -- s8.8; |.| <= 16384
+          signal power1 : signed(15 downto 0) := (others => '0');  -- s8.8; |.| <= 16384
+          signal power2 : signed(15 downto 0) := (others => '0');  -- s8.8; |.| <= 16384
+          signal power3 : signed(15 downto 0) := (others => '0');  -- s8.8; |.| <= 16384
+          signal in_phase_1 : std_logic;
+          signal in_flight : std_logic;  -- a pair is in the data path, or may be in the next clock
+          signal strobe : std_logic_vector(1 downto 0) := (others => '0');  -- one flag per phase
+          signal power_choice_h1 : signed_8_1_to_3_t := zero_signed_8_1_to_3;  -- s4.4; |.| <= 128
+          signal b_held : signed_8_x3_t := zero_signed_8_x3;  -- s4.4; |.| <= 128; from clocks 2, 4, 6 on
+          signal a0_held : signed_8_x4_t := zero_signed_8_x4;  -- s4.4; |.| <= 128; from clocks 2, 4, ... 8 on
+          signal a_held_2 : signed_8_x5_t := zero_signed_8_x5;  -- s4.4; |.| <= 128; from clocks 3, 7 on
+          signal b_h3 : signed(7 downto 0) := (others => '0');  -- s4.4; |.| <= 128
+          signal a0_h5 : signed(7 downto 0) := (others => '0');  -- s4.4; |.| <= 128
+          signal b_h5 : signed(7 downto 0) := (others => '0');  -- s4.4; |.| <= 128
+          signal a0_h7 : signed(7 downto 0) := (others => '0');  -- s4.4; |.| <= 128
+          signal b_h7 : signed(7 downto 0) := (others => '0');  -- s4.4; |.| <= 128
+          signal power3_negative_choice : signed(7 downto 0);  -- s4.4; |.| <= 128
+          signal a_held : signed_8_1_to_4_x3_t := zero_signed_8_1_to_4_x3;  -- s4.4; |.| <= 128; from clocks 2, 4, 6 on
+          signal y_choice_h1 : signed(7 downto 0) := (others => '0');  -- s4.4; |.| <= 128
+        begin
+          -- Strobes, one per phase, and flags of pairs
+          strobes : process (clk)
+          begin
+            if rising_edge(clk) then
+              strobe(0) <= flag(phase = '1') and in_flight;
+              strobe(1) <= flag(phase = '0') and in_flight;
+            end if;
+          end process strobes;
+          in_phase_1 <= flag(phase = '1');
+          in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or holds(4) or in_phase_1;
+
+          -- Clock 1
+          clock_1 : process (clk)
+          begin
+            if rising_edge(clk) then
+              power0 <= b * b;
+            end if;
+          end process clock_1;
+
+          -- Clock 3
+          clock_3 : process (clk)
+          begin
+            if rising_edge(clk) then
+              power1 <= power_choice_h1(1) * b_held(0);
+            end if;
+          end process clock_3;
+
+          -- Clock 5
+          clock_5 : process (clk)
+          begin
+            if rising_edge(clk) then
+              power2 <= power_choice_h1(2) * b_held(1);
+            end if;
+          end process clock_5;
+
+          -- Clock 7
+          clock_7 : process (clk)
+          begin
+            if rising_edge(clk) then
+              power3 <= power_choice_h1(3) * b_held(2);
+            end if;
+          end process clock_7;
+          power3_negative_choice <= b_h7 when power3(15) = '1' else a0_h7;
+          sums_each : for k in 0 to 3 generate
+            sums(k) <= resize(a_held_2(k + 1), 9) + resize(power3_negative_choice, 9);
+          end generate sums_each;
+
+          -- Clock 8
+          y <= resize(a0_held(3), 9) + resize(y_choice_h1, 9);
+
+          -- Registers that are loaded once per pair
+          captures : process (clk)
+          begin
+            if rising_edge(clk) then
+              if strobe(1) = '1' then
+                power_choice_h1(1) <= choose(power0(15), b, a(0));
+                power_choice_h1(2) <= choose(power1(15), b_h3, a_held_2(0));
+                power_choice_h1(3) <= choose(power2(15), b_h5, a0_h5);
+                b_held <= b & b_held(0 to 1);
+                a0_held <= a(0) & a0_held(0 to 2);
+                for m in 1 to 4 loop
+                  a_held(0)(m) <= a(m);
+                end loop;
+                a_held(1 to 2) <= a_held(0 to 1);
+                if power3_negative_choice(7) = '1' then
+                  y_choice_h1 <= a0_h7;
+                else
+                  y_choice_h1 <= b_h7;
+                end if;
+              end if;
+              if strobe(0) = '1' then
+                a_held_2(0) <= a0_held(0);
+                for k in 1 to 4 loop
+                  a_held_2(k) <= a_held(2)(k);
+                end loop;
+                b_h3 <= b_held(0);
+                a0_h5 <= a0_held(1);
+                b_h5 <= b_held(1);
+                a0_h7 <= a0_held(2);
+                b_h7 <= b_held(2);
+              end if;
+            end if;
+          end process captures;
         end architecture rtl;"#]]
     .assert_eq(&inside(&lowered(&block, 100)));
 }

@@ -14,7 +14,8 @@ pub(super) fn loop_label(body: &[Statement]) -> String {
     match &body[0] {
         Statement::Assign(target, _) => {
             let part = |sub: &Sub| match sub {
-                Sub::Index(Index::At(i)) => format!("_{i}"),
+                Sub::Index(Index::At(i)) | Sub::Range(i, _) => format!("_{i}"),
+                Sub::Index(Index::Loop { plus, modulo: None, .. }) if *plus > 0 => format!("_from_{plus}"),
                 Sub::Index(Index::Loop { .. }) => String::new(),
                 Sub::Field(field) => format!("_{field}"),
             };
@@ -75,8 +76,9 @@ pub(super) fn sequential(
             }
             lines.push(format!("{pad}end if;"));
         }
-        Statement::Loop { depth: variable, size, body } => {
-            lines.push(format!("{pad}for {} in 0 to {} loop", loop_variable(*variable), size - 1));
+        Statement::Loop { depth: variable, first, size, body } => {
+            let last = first + size - 1;
+            lines.push(format!("{pad}for {} in {first} to {last} loop", loop_variable(*variable)));
             body.iter().for_each(|s| sequential(shapes, s, depth + 1, functions, lines));
             lines.push(format!("{pad}end loop;"));
         }
@@ -87,9 +89,8 @@ pub(super) fn sequential(
 /// Whether a choice between two can be written as a function of numbers.
 fn simple(shapes: &dyn Shapes, target: &Name, legs: &[Expression]) -> bool {
     // Whole records and arrays have no such function.
-    let whole = |leg: &Expression| matches!(leg, Expression::Name(name) if name.subs.len() < target.subs.len());
-    let number = matches!(shapes.part(target), Some(Shape::Flag | Shape::Number(..)));
-    legs.len() == 2 && number && !target.subs.is_empty() && !legs.iter().any(whole)
+    let number = |name: &Name| matches!(shapes.part(name), Some(Shape::Flag | Shape::Number(..)));
+    legs.len() == 2 && !target.subs.is_empty() && number(target)
 }
 
 /// `index = i`, as a condition.

@@ -16,12 +16,12 @@ const FACTOR: Type = Type { signed: true, bits: MULTIPLIER_BITS, fraction: None 
 
 /// The differences, T + 1 bits each.
 pub(in super::super) fn points<'l>(u: Top<'l>, p: &Params, guards: &Guards<'l, '_>, inputs: &Inputs<'l>) -> Points<'l> {
-    let guarded = |x: Vec3<Number<Sig<'l>>>, bound: i128, name: &str| {
+    let guarded = |x: Vec3<Number<Sig<'l>>>, bound: i128, name: (&str, Option<usize>)| {
         Vec3(guards.guarded(x.0, bound, &[], name)).map(|number| number.lo.at_point(None))
     };
     let bound = p.coordinate_bound();
-    let v = [0, 1, 2].map(|k| guarded(inputs.v[k], bound, &format!("in_v{k}")));
-    let w = [0, 1, 2].map(|l| guarded(inputs.w[l], bound, &format!("in_w{l}")));
+    let v = [0, 1, 2].map(|k| guarded(inputs.v[k], bound, ("in_v", Some(k))));
+    let w = [0, 1, 2].map(|l| guarded(inputs.w[l], bound, ("in_w", Some(l))));
     let origin = v[0];
     // Any words may be added where nothing is rounded.
     let sums = p.method == Method::Exact && p.transform == Transform::Translate;
@@ -35,14 +35,14 @@ pub(in super::super) fn points<'l>(u: Top<'l>, p: &Params, guards: &Guards<'l, '
                 let lo = pose.bypass.choose(x.lo.like(0), x.lo);
                 Number { lo, ..x }
             };
-            let t = guarded(pose.t.map(unless_bypass), p.translation_bound(), "pose_t");
+            let t = guarded(pose.t.map(unless_bypass), p.translation_bound(), ("pose_t", None));
             let moved = (t - origin).named("moved").comment("t - V0, or - V0 with the bypass");
             match pose.m.filter(|_| p.transform == Transform::On) {
                 None => w.map(|w| w + moved),
                 Some(m) => {
                     // Only a guard must not see the ports that the bypass leaves out.
                     let read = |m: Number<Sig<'l>>| if p.has_guards() { unless_bypass(m) } else { m };
-                    let m = [0, 1, 2].map(|i| guarded(m[i].map(read), p.one(), &format!("pose_m{i}")));
+                    let m = [0, 1, 2].map(|i| guarded(m[i].map(read), p.one(), ("pose_m", Some(i))));
                     turned(u, p, m, w, moved, pose.bypass)
                 }
             }

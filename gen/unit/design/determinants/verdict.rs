@@ -22,7 +22,8 @@ pub(super) fn signs<'l>(u: Top<'l>, determinants: &Fifteen<Sig<'l>>, bounds: &Fi
     let jobs: Vec<_> = xs.into_iter().zip(bounds).collect();
     if u.interval() < 3 {
         // Multiplexers of the operands would be larger than the comparators that they save.
-        return Fifteen::of(&jobs.into_iter().map(|(x, bound)| certain_sign(x, bound)).collect::<Vec<_>>());
+        let signs: Vec<Sign<'l>> = jobs.into_iter().map(|(x, bound)| certain_sign(x, bound)).collect();
+        return Fifteen::of(&signs.named("sign"));
     }
     Fifteen::of(&shared(u, "sign", &jobs, |k, (x, bound)| {
         certain_sign(x.named_at("sign_x", k), bound.named_at("sign_bound", k)).named_at("sign_lane", k)

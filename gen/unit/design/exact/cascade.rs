@@ -27,7 +27,8 @@ pub fn first(p: &Params, first: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair in the first stage: differences from V0, rounded to 18 bits behind the highest of them that",
         "is set, moments, fifteen determinants with bounds on their errors, verdict. Units are shared over the phases of the",
-        "slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.",
+        "slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or are elements of",
+        "x_held.",
     ];
     Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
         let inputs = Inputs::new(u, p);
@@ -46,7 +47,7 @@ pub fn second(p: &Params, clocks: u32) -> Rc<Block> {
     let doc = [
         "The data path of one pair in the second stage: moments, fifteen determinants, the rule for pairs in one plane, verdict;",
         "nothing is rounded. Units are shared over the phases of the slot. A value captured for the pair is named after what it",
-        "is; later copies end in _h<clocks>.",
+        "is; later copies end in _h<clocks>, or are elements of x_held.",
     ];
     Library::with_prefix(SECOND_STAGE).block("pipeline", &doc, clocks as usize, |u| {
         let most = (1i128 << (p.width - 1)) - 1;
