@@ -3,7 +3,7 @@
 use efsat_hardware::device::{self, Device, Family};
 use efsat_unit::params::options::Choice;
 
-/// The tools for a family: Yosys counts for all, nextpnr places and routes for the ECP5.
+/// The tools for a family: Yosys counts for all, nextpnr places and routes for the ECP5 and Nexus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Flow(Family);
 
@@ -14,6 +14,7 @@ impl Choice for Flow {
         Self(Family::Series7),
         Self(Family::UltraScalePlus),
         Self(Family::Ecp5),
+        Self(Family::Nexus),
     ];
 
     fn name(self) -> &'static str {
@@ -23,6 +24,7 @@ impl Choice for Flow {
             Family::Series7 => "yosys-xc7",
             Family::UltraScalePlus => "yosys-xcup",
             Family::Ecp5 => "ecp5",
+            Family::Nexus => "nexus",
         }
     }
 }
@@ -46,6 +48,6 @@ impl Flow {
 
     /// Whether placement and routing follow.
     pub fn routes(self) -> bool {
-        self.0 == Family::Ecp5
+        matches!(self.0, Family::Ecp5 | Family::Nexus)
     }
 }

