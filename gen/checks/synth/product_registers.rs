@@ -235,13 +235,16 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
 /// Moves registers into the multipliers of a netlist for the ECP5 or Nexus, where they always load and never clear; returns
 /// how many.
 pub fn pack(netlist: &mut Netlist, family: Family) -> u64 {
-    let Some((clock, inside)) = Names::of(family).and_then(|names| Some((names.clock, names.inside?))) else {
-        return 0;
-    };
+    let Some(names) = Names::of(family) else { return 0 };
+    let Some(inside) = names.inside else { return 0 };
     let mut packed = 0;
     for module in netlist.modules.values_mut() {
         for Registered { multiplier, flip_flops } in find(module, family) {
-            let Some(clock) = module.cells[&flip_flops[0].2].bit(clock) else { continue };
+            // nextpnr for Nexus takes constants from the cells that drive them alone, as the flip-flop does.
+            let flip_flop = &module.cells[&flip_flops[0].2];
+            let Some(clock) = flip_flop.bit(names.clock) else { continue };
+            let enable = flip_flop.bit(names.enable).unwrap_or(ALWAYS);
+            let reset = flip_flop.bit(names.reset).unwrap_or(NEVER);
             let outputs: Vec<_> = flip_flops
                 .into_iter()
                 .filter_map(|(port, bit, name)| Some((port, bit, module.cells.remove(&name)?.bit("Q")?)))
@@ -250,7 +253,7 @@ pub fn pack(netlist: &mut Netlist, family: Family) -> u64 {
             for (port, bit, output) in outputs {
                 cell.connections.entry(port).and_modify(|bits| bits[bit] = output);
             }
-            for (port, bit) in inside.ports.into_iter().zip([clock, ALWAYS, NEVER]) {
+            for (port, bit) in inside.ports.into_iter().zip([clock, enable, reset]) {
                 cell.connect(port, bit);
             }
             for (parameter, value) in inside.parameters {
@@ -421,7 +424,7 @@ mod tests {
         assert_eq!(cells.keys().collect::<Vec<_>>(), ["m", "n", "one", "zero"]);
         let n = &cells["n"];
         let [z, clock, enable, reset] = ["Z", "CLK", "CEOUT", "RSTOUT"].map(|port| n.bit(port));
-        assert_eq!([z, clock, enable, reset], [Bit::Net(7), Bit::Net(1), ALWAYS, NEVER].map(Some));
+        assert_eq!([z, clock, enable, reset], [7, 1, 8, 9].map(|net| Some(Bit::Net(net))));
         let of = ["REGOUTPUT", "REGINPUTA", "RESETMODE", "GSR"].map(|name| n.parameter(name).unwrap());
         assert_eq!(of, ["REGISTER", "BYPASS", "SYNC", "DISABLED"]);
         assert_eq!(pack(&mut netlist, Family::Nexus), 0);

@@ -6,11 +6,14 @@
 //! 0.05 from one tile of eight bits to the next, 0.208 from carry to sum; WIDEFN9, two tables with a multiplexer, 0.276.
 //! MULT18X18 takes 2.244 from operand to product, 0.365 to the register behind it, whose set-up is 0.566 and whose output
 //! comes after 0.406. EBR gives a word after 1.84.
-//! Nets took 0.25 to 1.0 ns in these circuits. In a whole design (the default one for 150 MHz, a seed) a net with one load took
-//! 0.7 in the median, one with 64 or more 2.9, up to 5.6, and the longest path was a choice with 6.0 in its two nets; the
-//! model takes 1.5 a net and 3.0 for many loads. Those into and out of a multiplier took up to 3.8 together; the model
-//! takes 2.3 for the one behind it. What is on the part is from the router's database, which agrees with the family's data sheet (FPGA-DS-02049: 56 multipliers, 84 EBR of 18 kbit,
-//! 39 thousand logic cells, which are 1.2 a table). The two large RAMs (LRAM) are left unused.
+//! Nets took 0.25 to 1.0 ns in these circuits. In a whole design (the default one as scheduled for the ECP5 at 150 MHz, one
+//! seed, 147.7 MHz) arrivals leave about 0.7 for a net with one load in the median, 2.9 for one with 64 or more, up to 5.6;
+//! the longest path was a choice with 6.0 in its two nets. The model takes 1.5 a net and 3.0 for many loads. The nets into
+//! and out of a multiplier took up to 3.8 together; the model takes 2.3 for the one behind it.
+//!
+//! What is on the part is what the router's database has: 32,256 tables and flip-flops, 4,032 cells of distributed memory of
+//! six tables each, 84 EBR of 18 kbit and 56 multipliers. Its two large RAMs (LRAM) are left unused. The data sheet
+//! (FPGA-DS-02049) was not at hand.
 //!
 //! `synth_nexus` (Yosys 0.23) leaves the registers of MULT18X18 and MULT9X9 unused; the flow of this project moves the
 //! register behind a product there before it places (`verilog::product_registers`), and the model counts with it. A
