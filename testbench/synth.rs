@@ -151,12 +151,6 @@ fn ecp5_is_placed_and_routed() {
     is_placed_and_routed("lfe5u-85-6", "MULT18X18D", ("REG_OUTPUT_CLK", "CLK0"));
 }
 
-#[test]
-#[ignore = "a minute or more: scripts/test full"]
-fn nexus_is_placed_and_routed() {
-    is_placed_and_routed("lifcl-40-9", "MULT9_CORE", ("REGOUTPUT", "REGISTER"));
-}
-
 /// `multiplier` is the router's name of one, the parameter that of a registered one.
 fn is_placed_and_routed(device: &str, multiplier: &str, (parameter, value): (&str, &str)) {
     let dir = TempDir::new().unwrap();
@@ -260,7 +254,7 @@ fn wrong_options_are_told() {
         ("synth --flow quartus", "expected one of yosys-xc2v, yosys-xc6s, yosys-xc7, yosys-xcup, ecp5, nexus"),
         ("synth --flow yosys-xc7 --seeds 3", "--seeds: flow yosys-xc7 ends after Yosys"),
         ("synth --predict --keep x", "'--predict' cannot be used with '--keep <DIR>'"),
-        ("synth --minutes 3", "--minutes: flow yosys-xc2v ends after Yosys; expected --flow ecp5 or nexus"),
+        ("synth --minutes 3", "--minutes: flow yosys-xc2v ends after Yosys; expected --flow ecp5"),
         ("synth --flow ecp5 --minutes 0", "expected a whole number from 1 to 1440"),
         ("synth --no-route", "--no-route: flow yosys-xc2v ends after Yosys"),
         ("synth --flow ecp5 --seeds 0", "expected a whole number from 1 to 32"),

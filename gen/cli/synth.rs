@@ -25,9 +25,9 @@ const MINUTES: u32 = 30;
 
 /// Synthesises the design with open tools and compares with what the device model predicts
 ///
-/// GHDL and Yosys map the VHDL entity by entity to a family's cells; flows ecp5 and nexus also map the whole, move the
-/// registers of products into the multipliers, and place and route it with nextpnr for an LFE5U-85 of speed grade 6 or a
-/// LIFCL-40 of speed grade 9. Tools are looked for in the folder that EFSAT_TOOLS names, on PATH, and in target/tools/bin, where scripts/setup --synth
+/// GHDL and Yosys map the VHDL entity by entity to a family's cells; flow ecp5 also maps the whole, moves the
+/// registers of products into the multipliers, and places and routes it with nextpnr for an LFE5U-85 of speed grade
+/// 6. Tools are looked for in the folder that EFSAT_TOOLS names, on PATH, and in target/tools/bin, where scripts/setup --synth
 /// installs them. Fails if the multipliers are not those predicted, or if the target clock is missed after routing.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
@@ -76,7 +76,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     ];
     if let Some((option, _)) = of_placement.into_iter().find(|(_, given)| *given && !flow.routes()) {
         return Err(Failure::Usage(format!(
-            "{option}: flow {} ends after Yosys; expected --flow ecp5 or nexus",
+            "{option}: flow {} ends after Yosys; expected --flow ecp5",
             flow.name()
         )));
     }
