@@ -67,6 +67,13 @@ fn cells_of_ecp5_answer_as_the_reference_model() {
     assert!(mapped_mismatches("lfe5u-85-6", 150).is_none_or(|n| n == 0));
 }
 
+/// The same, and products of 9 bits are of MULT9X9.
+#[test]
+#[ignore = "a minute or more: scripts/test full"]
+fn cells_of_nexus_answer_as_the_reference_model() {
+    assert!(mapped_mismatches("lifcl-40-9", 150).is_none_or(|n| n == 0));
+}
+
 /// Sums of products are in the multipliers, differences too.
 #[test]
 #[ignore = "a minute or more: scripts/test full"]
@@ -122,33 +129,42 @@ fn adds_up(unit: &Value) {
 }
 
 /// A design that is placed within a minute.
-fn smallest_on_ecp5() -> Params {
-    let device = "lfe5u-85-6".to_owned();
-    let params = Params { width: 6, transform_width: 6, tag_width: 0, device, ..Params::default() };
+fn smallest_on(device: &str) -> Params {
+    let params = Params { width: 6, transform_width: 6, tag_width: 0, device: device.to_owned(), ..Params::default() };
     Params { projections: Projections::Skip, renormalise: false, transform: Transform::Off, ..params }
 }
 
 #[test]
-fn ecp5_has_the_predicted_multipliers_with_their_registers() {
-    let Some(report) = report(&smallest_on_ecp5(), 0, None) else { return };
-    let (multipliers, cells) = (report.cells().multipliers, report.top.actual.unwrap());
-    assert_eq!((cells.resources.multipliers, cells.registered_multipliers), (multipliers, multipliers));
-    assert!(report.top.predicted.flip_flops.abs_diff(cells.resources.flip_flops) <= 3, "{cells:?}");
+fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
+    for device in ["lfe5u-85-6", "lifcl-40-9"] {
+        let Some(report) = report(&smallest_on(device), 0, None) else { return };
+        let (predicted, cells) = (report.top.predicted, report.top.actual.unwrap());
+        let multipliers = predicted.multipliers;
+        assert_eq!((cells.resources.multipliers, cells.registered_multipliers), (multipliers, multipliers), "{device}");
+        assert!(predicted.flip_flops.abs_diff(cells.resources.flip_flops) <= 3, "{device}: {cells:?}");
+    }
 }
 
 #[test]
 #[ignore = "a minute or more: scripts/test full"]
 fn ecp5_is_placed_and_routed() {
+    is_placed_and_routed("lfe5u-85-6", "MULT18X18D", ("REG_OUTPUT_CLK", "CLK0"));
+}
+
+/// `multiplier` is the router's name of one, the parameter that of a registered one.
+fn is_placed_and_routed(device: &str, multiplier: &str, (parameter, value): (&str, &str)) {
     let dir = TempDir::new().unwrap();
-    let Some(report) = report(&smallest_on_ecp5(), 1, Some(dir.path())) else { return };
+    let Some(report) = report(&smallest_on(device), 1, Some(dir.path())) else { return };
     let routed = report.routed.as_ref().unwrap();
     let seed = routed.middle().unwrap();
     assert!((20.0..500.0).contains(&seed.megahertz), "{routed:?}");
     let multipliers = report.cells().multipliers;
-    assert_eq!(seed.used["MULT18X18D"], multipliers);
+    assert_eq!(seed.used[multiplier], multipliers);
     // Every product's register is in its multiplier in what was placed.
     let packed = std::fs::read_to_string(dir.path().join("packed.json")).unwrap();
-    assert_eq!(packed.matches("\"REG_OUTPUT_CLK\":\"CLK0\"").count() as u64, multipliers);
+    let packed: Value = serde_json::from_str(&packed).unwrap();
+    let cells = packed["modules"]["harness"]["cells"].as_object().unwrap().values();
+    assert_eq!(cells.filter(|cell| cell["parameters"][parameter] == value).count() as u64, multipliers);
     // The path is told in names of the design and is as long as the clock says.
     let (ns, names) = (seed.critical.logic() + seed.critical.routing(), &seed.critical.steps);
     assert!((ns - 1000.0 / seed.megahertz).abs() < 0.1, "{ns} ns, {} MHz", seed.megahertz);
@@ -236,7 +252,7 @@ fn predictions_need_no_tools() {
 #[test]
 fn wrong_options_are_told() {
     let cases = [
-        ("synth --flow quartus", "expected one of yosys-xc2v, yosys-xc6s, yosys-xc7, yosys-xcup, ecp5"),
+        ("synth --flow quartus", "expected one of yosys-xc2v, yosys-xc6s, yosys-xc7, yosys-xcup, ecp5, nexus"),
         ("synth --flow yosys-xc7 --seeds 3", "--seeds: flow yosys-xc7 ends after Yosys"),
         ("synth --predict --keep x", "'--predict' cannot be used with '--keep <DIR>'"),
         ("synth --minutes 3", "--minutes: flow yosys-xc2v ends after Yosys; expected --flow ecp5"),

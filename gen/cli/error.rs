@@ -118,12 +118,13 @@ pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
 }
 
 /// Words that name a family, and one of its devices.
-const FAMILIES: [(&[&str], &str, &str); 5] = [
+const FAMILIES: [(&[&str], &str, &str); 6] = [
     (&["xczu", "xck", "xcku", "xcvu", "ultrascale", "kria"], "UltraScale+", "xczu3eg-1"),
     (&["xc7", "artix", "kintex", "zynq", "spartan7"], "the 7 series", "xc7a100t-1"),
     (&["xc6", "spartan6"], "Spartan-6", "xc6slx150-3"),
     (&["xc2v", "virtex2"], "Virtex-II", "xc2v6000-4"),
     (&["lfe5", "ecp5"], "the ECP5", "lfe5u-85-6"),
+    (&["lifcl", "lfd2nx", "lfcpnx", "nexus", "crosslinknx", "certus"], "Nexus", "lifcl-40-9"),
 ];
 
 /// What to take for a device that is not known, if its family is.

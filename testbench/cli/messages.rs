@@ -26,7 +26,7 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("--guard sometimes", "expected one of left-out, always"),
         (
             "--device xc7",
-            "expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1, xc7z020-1, xczu3eg-1",
+            "expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1, xc7z020-1, xczu3eg-1, lifcl-40-9",
         ),
         ("--frequency 19", "expected a whole number from 20 to 400"),
         ("--frequency 100.5", "expected a whole number from 20 to 400"),
@@ -54,6 +54,7 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("generate --stream-width 48", "expected one of 32, 64, 128"),
         ("generate --device XC7Z020-1", "; for another device of the 7 series take xc7a100t-1"),
         ("synth --predict --device lfe5um-45f", "; for another device of the ECP5 take lfe5u-85-6"),
+        ("synth --predict --device LFCPNX-100", "; for another device of Nexus take lifcl-40-9"),
         ("accuracy --method determinants", "--method determinants: expected axes, whose stages the page examines"),
         ("cosim --random 0", "expected a whole number from 1 to 18446744073709551615"),
         ("cosim --random 1000001", "--random 1000001: expected a whole number from 1 to 1000000"),

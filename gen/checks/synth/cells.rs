@@ -1,7 +1,7 @@
 //! What the cells of a netlist are in the terms of the device model.
 //!
-//! A LUT is a LUT of any width, an inverter, or half a carry cell of the ECP5 (`CCU2C`: two LUTs and two bits of carry;
-//! the LUTs of a Xilinx carry chain are cells of their own). Shift registers and memories are counted in the LUTs they
+//! A LUT is a LUT of any width, an inverter, half of a `WIDEFN9`, or half a carry cell of the ECP5 or Nexus (`CCU2C`, `CCU2`:
+//! two LUTs and two bits of carry; the LUTs of a Xilinx carry chain are cells of their own). Shift registers and memories are counted in the LUTs they
 //! take. Registers that multipliers take in although Yosys leaves them outside are counted apart.
 
 use crate::synth::netlist::{Module, is_flip_flop};
@@ -15,7 +15,7 @@ use std::ops::{Add, Mul};
 pub struct Cells {
     /// In the terms of the device model, flip-flops in multipliers excepted.
     pub resources: Resources,
-    /// Multipliers that take in the register behind them (MULT18X18S, MULT18X18D).
+    /// Multipliers that take in the register behind them (MULT18X18S, MULT18X18D, MULT18X18 of Nexus).
     pub registered_multipliers: u64,
     /// Flip-flops of the netlist that are in these.
     pub absorbed_flip_flops: u64,
@@ -70,7 +70,7 @@ pub fn own(module: &Module, family: Family) -> Cells {
 /// Block RAMs of 18 kbit that a cell of the library is.
 fn block_rams(kind: &str) -> u64 {
     match kind {
-        "DP16KD" | "PDPW16KD" => 1,
+        "DP16KD" | "PDPW16KD" | "DP16K" | "PDP16K" | "PDPSC16K" => 1,
         kind if kind.starts_with("RAMB36") => 2,
         kind => kind.starts_with("RAMB").into(),
     }
@@ -80,11 +80,12 @@ fn block_rams(kind: &str) -> u64 {
 fn resources(kind: &str, family: Family) -> Resources {
     let none = Resources::default();
     match kind {
-        "MULT18X18" | "MULT18X18S" | "DSP48A1" | "DSP48E1" | "DSP48E2" | "MULT18X18D" => {
+        "MULT18X18" | "MULT18X18S" | "DSP48A1" | "DSP48E1" | "DSP48E2" | "MULT18X18D" | "MULT9X9" => {
             Resources { multipliers: 1, ..none }
         }
         "LUT1" | "LUT2" | "LUT3" | "LUT4" | "LUT5" | "LUT6" | "INV" => Resources { luts: 1, ..none },
-        "CCU2C" => Resources { luts: 2, carry: 2, ..none },
+        "WIDEFN9" => Resources { luts: 2, ..none },
+        "CCU2C" | "CCU2" => Resources { luts: 2, carry: 2, ..none },
         "MUXCY" => Resources { carry: 1, ..none },
         "CARRY4" => Resources { carry: 4, ..none },
         "SRL16" | "SRL16E" | "SRLC16" | "SRLC16E" | "RAM16X1S" => Resources { memory_luts: 1, ..none },
@@ -97,7 +98,7 @@ fn resources(kind: &str, family: Family) -> Resources {
         "RAM32M" | "RAM64M" | "RAM128X1D" => Resources { memory_luts: 4, ..none },
         "RAM32M16" | "RAM64M8" => Resources { memory_luts: 8, ..none },
         // Two slices of data and one that writes.
-        "TRELLIS_DPR16X4" => Resources { memory_luts: 6, ..none },
+        "TRELLIS_DPR16X4" | "DPR16X4" => Resources { memory_luts: 6, ..none },
         kind if is_flip_flop(kind) => Resources { flip_flops: 1, ..none },
         _ => none,
     }

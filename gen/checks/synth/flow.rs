@@ -14,6 +14,7 @@ impl Choice for Flow {
         Self(Family::Series7),
         Self(Family::UltraScalePlus),
         Self(Family::Ecp5),
+        Self(Family::Nexus),
     ];
 
     fn name(self) -> &'static str {
@@ -23,6 +24,7 @@ impl Choice for Flow {
             Family::Series7 => "yosys-xc7",
             Family::UltraScalePlus => "yosys-xcup",
             Family::Ecp5 => "ecp5",
+            Family::Nexus => "nexus",
         }
     }
 }
@@ -46,6 +48,7 @@ impl Flow {
 
     /// Whether placement and routing follow.
     pub fn routes(self) -> bool {
+        // Not Nexus: its open router does not end on the default design.
         self.0 == Family::Ecp5
     }
 }

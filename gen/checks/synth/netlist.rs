@@ -63,7 +63,7 @@ pub struct Cell {
 }
 
 /// What a bit is connected to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum Bit {
     /// A net of the module.
@@ -73,7 +73,7 @@ pub enum Bit {
 }
 
 /// A constant bit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Deserialize, Serialize)]
 pub enum Level {
     /// Low.
     #[serde(rename = "0")]

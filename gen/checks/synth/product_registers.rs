@@ -1,8 +1,8 @@
 //! Registers that hardware multipliers take in, although Yosys leaves them outside.
 //!
-//! Virtex-II's MULT18X18S and ECP5's MULT18X18D have a register behind the product. The vendors' tools put the register
-//! of the design there that directly follows; Yosys does not. On Virtex-II it is counted as part of the multiplier; on
-//! the ECP5 the netlist is changed before it is placed ([`pack`]).
+//! Virtex-II's MULT18X18S, ECP5's MULT18X18D and Nexus' MULT18X18 and MULT9X9 have a register behind the product. The
+//! vendors' tools put the register of the design there that directly follows; Yosys does not. On Virtex-II it is counted
+//! as part of the multiplier; on the other two the netlist is changed before it is placed ([`pack`]).
 
 use super::ToolError;
 use super::netlist::{Bit, Cell, Level, Module, Netlist, is_flip_flop};
@@ -12,7 +12,13 @@ use std::path::Path;
 
 /// Names of a family's multipliers and flip-flops, and which flip-flops a multiplier can take in.
 struct Names {
-    multiplier: &'static str,
+    multipliers: &'static [&'static str],
+    /// First letter of the ports of the product.
+    product: char,
+    /// Parameters of a multiplier that put its registers to use, and what they say where none is.
+    registers: (&'static [&'static str], &'static str),
+    /// How the netlist is told that the register behind the product is used, where it can be.
+    inside: Option<Inside>,
     clock: &'static str,
     data: &'static str,
     enable: &'static str,
@@ -25,9 +31,24 @@ struct Names {
     modes: &'static [(&'static str, &'static [&'static str])],
 }
 
+/// The register behind a product.
+#[derive(Clone, Copy)]
+struct Inside {
+    /// Ports of the multiplier for its clock, its enable and its reset.
+    ports: [&'static str; 3],
+    /// Parameters of the multiplier.
+    parameters: &'static [(&'static str, &'static str)],
+}
+
+/// Parameters of multipliers before Nexus.
+const REGISTERS: &[&str] = &["REG_INPUTA_CLK", "REG_INPUTB_CLK", "REG_PIPELINE_CLK", "REG_OUTPUT_CLK"];
+
 /// MULT18X18S has an enable and a reset, and zero at the start.
 const VIRTEX2: Names = Names {
-    multiplier: "MULT18X18",
+    multipliers: &["MULT18X18"],
+    product: 'P',
+    registers: (REGISTERS, "NONE"),
+    inside: None,
     clock: "C",
     data: "D",
     enable: "CE",
@@ -39,7 +60,13 @@ const VIRTEX2: Names = Names {
 
 /// MULT18X18D has them too, but no register of ours behind a product does. Rising edge, plain controls, zero at the start.
 const ECP5: Names = Names {
-    multiplier: "MULT18X18D",
+    multipliers: &["MULT18X18D"],
+    product: 'P',
+    registers: (REGISTERS, "NONE"),
+    inside: Some(Inside {
+        ports: ["CLK0", "CE0", "RST0"],
+        parameters: &[("REG_OUTPUT_CLK", "CLK0"), ("REG_OUTPUT_CE", "CE0"), ("REG_OUTPUT_RST", "RST0")],
+    }),
     clock: "CLK",
     data: "DI",
     enable: "CE",
@@ -47,6 +74,24 @@ const ECP5: Names = Names {
     kinds: &["TRELLIS_FF"],
     controlled: false,
     modes: &[("CLKMUX", &["CLK"]), ("CEMUX", &["1", "CE"]), ("LSRMUX", &["LSR"]), ("REGSET", &["RESET"])],
+};
+
+/// As on the ECP5; the flip-flops do not answer to the reset of the whole part, so the multiplier must not.
+const NEXUS: Names = Names {
+    multipliers: &["MULT18X18", "MULT9X9"],
+    product: 'Z',
+    registers: (&["REGINPUTA", "REGINPUTB", "REGOUTPUT"], "BYPASS"),
+    inside: Some(Inside {
+        ports: ["CLK", "CEOUT", "RSTOUT"],
+        parameters: &[("REGOUTPUT", "REGISTER"), ("RESETMODE", "SYNC"), ("GSR", "DISABLED")],
+    }),
+    clock: "CK",
+    data: "D",
+    enable: "SP",
+    reset: "CD",
+    kinds: &["FD1P3IX"],
+    controlled: false,
+    modes: &[("GSR", &["DISABLED"])],
 };
 
 const NEVER: Bit = Bit::Constant(Level::Zero);
@@ -58,26 +103,32 @@ impl Names {
         match family {
             Family::Virtex2 => Some(VIRTEX2),
             Family::Ecp5 => Some(ECP5),
+            Family::Nexus => Some(NEXUS),
             Family::Spartan6 | Family::Series7 | Family::UltraScalePlus => None,
         }
     }
 
+    fn is_multiplier(&self, cell: &Cell) -> bool {
+        self.multipliers.contains(&cell.kind.as_str())
+    }
+
     /// Whether a port is the product or a bit of it: `P`, or `P0` to `P35`.
-    fn is_product(port: &str) -> bool {
-        port.strip_prefix('P').is_some_and(|bit| bit.bytes().all(|byte| byte.is_ascii_digit()))
+    fn is_product(&self, port: &str) -> bool {
+        port.strip_prefix(self.product).is_some_and(|bit| bit.bytes().all(|byte| byte.is_ascii_digit()))
     }
 
     /// Whether a cell is a multiplier all of whose registers are still free.
     fn is_free(&self, cell: &Cell) -> bool {
-        let registers = ["INPUTA", "INPUTB", "PIPELINE", "OUTPUT"].map(|place| format!("REG_{place}_CLK"));
-        cell.kind == self.multiplier
-            && registers.iter().all(|name| cell.parameter(name).is_none_or(|clock| clock == "NONE"))
+        let (registers, unused) = self.registers;
+        self.is_multiplier(cell)
+            && registers.iter().all(|name| cell.parameter(name).is_none_or(|register| register == unused))
     }
 
-    /// Whether a multiplier can do what a flip-flop does. An unconnected enable is set, an unconnected reset is clear.
-    fn can_do(&self, cell: &Cell) -> bool {
-        let loads = cell.bit(self.enable).is_none_or(|enable| enable == ALWAYS);
-        let keeps = cell.bit(self.reset).is_none_or(|reset| reset == NEVER);
+    /// Whether a multiplier can do what a flip-flop with such controls (clock, enable, reset) does. An unconnected enable is
+    /// set, an unconnected reset is clear.
+    fn can_do(&self, cell: &Cell, [_, enable, reset]: [Option<Bit>; 3]) -> bool {
+        let loads = enable.is_none_or(|enable| enable == ALWAYS);
+        let keeps = reset.is_none_or(|reset| reset == NEVER);
         let legal = |(name, values): &(&str, &[&str])| cell.parameter(name).is_none_or(|value| values.contains(&value));
         self.kinds.contains(&cell.kind.as_str())
             && (self.controlled || (loads && keeps))
@@ -121,7 +172,7 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
     let Some(names) = Names::of(family) else { return vec![] };
     let multipliers = || module.cells.iter().filter(|(_, cell)| names.is_free(cell));
     let product = |cell: &'_ Cell| -> Vec<(String, usize, u64)> {
-        let ports = cell.connections.iter().filter(|(port, _)| Names::is_product(port));
+        let ports = cell.connections.iter().filter(|(port, _)| names.is_product(port));
         let bits = ports.flat_map(|(port, bits)| {
             let net = |(i, bit): (usize, &Bit)| bit.net().map(|net| (port.clone(), i, net));
             bits.iter().enumerate().filter_map(net)
@@ -135,7 +186,7 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
     }
     for (name, cell) in &module.cells {
         for (port, bits) in &cell.connections {
-            if cell.kind == names.multiplier && Names::is_product(port) {
+            if names.is_multiplier(cell) && names.is_product(port) {
                 continue;
             }
             let register = is_flip_flop(&cell.kind) && port == names.data;
@@ -145,9 +196,19 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
             }
         }
     }
+    // Yosys drives constants of Nexus by cells.
+    let constant = |(kind, level)| {
+        let cells = module.cells.values().filter(move |cell| cell.kind == kind);
+        cells.filter_map(move |cell| Some((cell.bit("Z")?, level)))
+    };
+    let constants: HashMap<Bit, Bit> = [("VHI", ALWAYS), ("VLO", NEVER)].into_iter().flat_map(constant).collect();
+    let controls = |cell: &Cell| {
+        let ports = [names.clock, names.enable, names.reset];
+        ports.map(|port| cell.bit(port).map(|bit| *constants.get(&bit).unwrap_or(&bit)))
+    };
     // What a register of the multiplier cannot tell apart from flip-flop to flip-flop.
     let control = |cell: &Cell| {
-        let nets = [names.clock, names.enable, names.reset].map(|port| cell.bit(port));
+        let nets = controls(cell);
         let modes = names.modes.iter().map(|(name, _)| cell.parameter(name).map(str::to_owned));
         (cell.kind.clone(), nets, modes.collect::<Vec<_>>())
     };
@@ -158,7 +219,8 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
             match loads[&net].as_slice() {
                 [] => {}
                 [Load::Register(name, cell)]
-                    if names.can_do(cell) && *together.get_or_insert(control(cell)) == control(cell) =>
+                    if names.can_do(cell, controls(cell))
+                        && *together.get_or_insert(control(cell)) == control(cell) =>
                 {
                     found.flip_flops.push((port, bit, (*name).to_owned()));
                 }
@@ -170,12 +232,19 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
     multipliers().filter_map(register).collect()
 }
 
-/// Moves registers into the MULT18X18D of a netlist for the ECP5, where they always load and never clear; returns how many.
-pub fn pack(netlist: &mut Netlist) -> u64 {
+/// Moves registers into the multipliers of a netlist for the ECP5 or Nexus, where they always load and never clear; returns
+/// how many.
+pub fn pack(netlist: &mut Netlist, family: Family) -> u64 {
+    let Some(names) = Names::of(family) else { return 0 };
+    let Some(inside) = names.inside else { return 0 };
     let mut packed = 0;
     for module in netlist.modules.values_mut() {
-        for Registered { multiplier, flip_flops } in find(module, Family::Ecp5) {
-            let Some(clock) = module.cells[&flip_flops[0].2].bit(ECP5.clock) else { continue };
+        for Registered { multiplier, flip_flops } in find(module, family) {
+            // nextpnr for Nexus takes constants from the cells that drive them alone, as the flip-flop does.
+            let flip_flop = &module.cells[&flip_flops[0].2];
+            let Some(clock) = flip_flop.bit(names.clock) else { continue };
+            let enable = flip_flop.bit(names.enable).unwrap_or(ALWAYS);
+            let reset = flip_flop.bit(names.reset).unwrap_or(NEVER);
             let outputs: Vec<_> = flip_flops
                 .into_iter()
                 .filter_map(|(port, bit, name)| Some((port, bit, module.cells.remove(&name)?.bit("Q")?)))
@@ -184,11 +253,11 @@ pub fn pack(netlist: &mut Netlist) -> u64 {
             for (port, bit, output) in outputs {
                 cell.connections.entry(port).and_modify(|bits| bits[bit] = output);
             }
-            for (port, bit) in [("CLK0", clock), ("CE0", ALWAYS), ("RST0", NEVER)] {
+            for (port, bit) in inside.ports.into_iter().zip([clock, enable, reset]) {
                 cell.connect(port, bit);
             }
-            for (parameter, value) in [("CLK", "CLK0"), ("CE", "CE0"), ("RST", "RST0")] {
-                cell.set(&format!("REG_OUTPUT_{parameter}"), value);
+            for (parameter, value) in inside.parameters {
+                cell.set(parameter, value);
             }
             packed += 1;
         }
@@ -200,9 +269,9 @@ pub fn pack(netlist: &mut Netlist) -> u64 {
 ///
 /// # Errors
 /// What cannot be read or written.
-pub fn pack_file(from: &Path, to: &Path) -> Result<(), ToolError> {
+pub fn pack_file(from: &Path, to: &Path, family: Family) -> Result<(), ToolError> {
     let mut netlist = Netlist::read(from)?;
-    pack(&mut netlist);
+    pack(&mut netlist, family);
     netlist.write(to)
 }
 
@@ -278,7 +347,7 @@ mod tests {
     #[test]
     fn registers_move_into_multipliers_and_all_else_stays() {
         let mut netlist = ecp5(r#", "LSR": ["0"]"#);
-        assert_eq!(pack(&mut netlist), 1);
+        assert_eq!(pack(&mut netlist, Family::Ecp5), 1);
         let expected = r#"{"creator": "Yosys", "modules": {"top": {"attributes": {"top": "1"}, "ports": {"q": {"bits": [6, 7]}},
             "netnames": {"q": {"bits": [6, 7]}}, "cells": {
             "m": {"type": "MULT18X18D",
@@ -293,17 +362,17 @@ mod tests {
         let top = netlist.modules.get_mut("top").unwrap();
         top.ports.clear();
         top.cells.insert("second".to_owned(), serde_json::from_str(register).unwrap());
-        assert_eq!(pack(&mut netlist), 0);
+        assert_eq!(pack(&mut netlist, Family::Ecp5), 0);
     }
 
     #[test]
     fn registers_that_do_not_load_together_or_clear_stay_outside() {
-        assert_eq!(pack(&mut ecp5(r#", "LSR": ["0"], "CE": [9]"#)), 0);
-        assert_eq!(pack(&mut ecp5(r#", "LSR": [9]"#)), 0);
+        assert_eq!(pack(&mut ecp5(r#", "LSR": ["0"], "CE": [9]"#), Family::Ecp5), 0);
+        assert_eq!(pack(&mut ecp5(r#", "LSR": [9]"#), Family::Ecp5), 0);
         let both = |port, control| {
             let mut both = ecp5(control);
             both.modules.get_mut("top").unwrap().cells.get_mut("a").unwrap().connect(port, Bit::Net(9));
-            pack(&mut both)
+            pack(&mut both, Family::Ecp5)
         };
         assert_eq!(both("LSR", r#", "LSR": [9]"#), 0);
         assert_eq!(both("CE", r#", "LSR": ["0"], "CE": [9]"#), 0);
@@ -313,11 +382,52 @@ mod tests {
             for cell in cells {
                 netlist.modules.get_mut("top").unwrap().cells.get_mut(*cell).unwrap().set(name, value);
             }
-            pack(&mut netlist)
+            pack(&mut netlist, Family::Ecp5)
         };
         assert_eq!(mode("CLKMUX", "CLK", &["a", "b"]), 1);
         assert_eq!(mode("CLKMUX", "INV", &["a", "b"]), 0);
         assert_eq!(mode("REGSET", "SET", &["a", "b"]), 0);
         assert_eq!(mode("REGSET", "SET", &["b"]), 0);
+    }
+
+    #[test]
+    fn nexus_multipliers_take_their_registers_in() {
+        // Two products, the latter of 9 x 9 bits; `gsr` of the flip-flop behind it.
+        let nexus = |gsr: &str| -> Netlist {
+            let multiplier = |kind: &str, z: u64| {
+                format!(
+                    r#"{{"type": "{kind}", "parameters": {{"REGINPUTA": "BYPASS", "REGINPUTB": "BYPASS", "REGOUTPUT": "BYPASS"}},
+                    "connections": {{"A": [2], "B": [3], "Z": [{z}]}}}}"#
+                )
+            };
+            let flip_flop = |gsr: &str, d: u64| {
+                format!(
+                    r#"{{"type": "FD1P3IX", "parameters": {{"GSR": "{gsr}"}},
+                    "connections": {{"D": [{d}], "Q": [{}], "CK": [1], "SP": [8], "CD": [9]}}}}"#,
+                    d + 2
+                )
+            };
+            let cells = [
+                ("m", multiplier("MULT18X18", 4)),
+                ("n", multiplier("MULT9X9", 5)),
+                ("a", flip_flop("DISABLED", 4)),
+                ("b", flip_flop(gsr, 5)),
+                ("one", r#"{"type": "VHI", "connections": {"Z": [8]}}"#.to_owned()),
+                ("zero", r#"{"type": "VLO", "connections": {"Z": [9]}}"#.to_owned()),
+            ];
+            let cells = cells.map(|(name, cell)| format!(r#""{name}": {cell}"#)).join(", ");
+            serde_json::from_str(&format!(r#"{{"modules": {{"top": {{"cells": {{{cells}}}}}}}}}"#)).unwrap()
+        };
+        let mut netlist = nexus("DISABLED");
+        assert_eq!(pack(&mut netlist, Family::Nexus), 2);
+        let cells = &netlist.modules["top"].cells;
+        assert_eq!(cells.keys().collect::<Vec<_>>(), ["m", "n", "one", "zero"]);
+        let n = &cells["n"];
+        let [z, clock, enable, reset] = ["Z", "CLK", "CEOUT", "RSTOUT"].map(|port| n.bit(port));
+        assert_eq!([z, clock, enable, reset], [7, 1, 8, 9].map(|net| Some(Bit::Net(net))));
+        let of = ["REGOUTPUT", "REGINPUTA", "RESETMODE", "GSR"].map(|name| n.parameter(name).unwrap());
+        assert_eq!(of, ["REGISTER", "BYPASS", "SYNC", "DISABLED"]);
+        assert_eq!(pack(&mut netlist, Family::Nexus), 0);
+        assert_eq!(pack(&mut nexus("ENABLED"), Family::Nexus), 1, "a reset of the whole part stays");
     }
 }

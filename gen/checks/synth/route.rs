@@ -8,6 +8,7 @@ use super::{Options, VERILOG, harness};
 use crate::synth::product_registers;
 use crate::synth::tools::{self, Tool};
 use crate::synth::{ToolError, yosys};
+use efsat_hardware::device::Family;
 use rayon::prelude::*;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -105,7 +106,7 @@ pub(super) fn whole(yosys: &Tool, harness: &str, dir: &Path) -> Result<(), ToolE
     std::fs::write(&path, harness).map_err(ToolError::file(&path))?;
     let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -abc9 -top {top} -json {NETLIST}\n");
     yosys::run(yosys, "whole", &commands, dir)?;
-    product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED))
+    product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED), Family::Ecp5)
 }
 
 /// Places and routes the whole for a clock in MHz with the seeds of the options, each within their limit of time.

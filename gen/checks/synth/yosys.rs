@@ -89,6 +89,7 @@ pub fn units(family: Family, top: &str) -> String {
         Family::Series7 => with_chains(&xilinx("xc7", top)),
         Family::UltraScalePlus => without_adders(&xilinx("xcup", top)),
         Family::Ecp5 => format!("synth_ecp5 -abc9 -top {top} -noflatten\n"),
+        Family::Nexus => format!("synth_nexus -abc9 -top {top} -noflatten -noiopad\n"),
     }
 }
 
@@ -149,8 +150,8 @@ fn take_away(netlist: &mut Netlist) {
     }
 }
 
-/// A netlist of a family's cells for simulation: the Verilog in `source` mapped, on the ECP5 with the registers of
-/// products in the multipliers, and written to `netlist` together with models of the cells.
+/// A netlist of a family's cells for simulation: the Verilog in `source` mapped, on the ECP5 and Nexus with the registers
+/// of products in the multipliers, and written to `netlist` together with models of the cells.
 ///
 /// # Errors
 /// What Yosys says.
@@ -161,10 +162,15 @@ pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path
     let models = match family {
         Family::Ecp5 => {
             let path = dir.join(MAPPED);
-            product_registers::pack_file(&path, &path)?;
+            product_registers::pack_file(&path, &path, family)?;
             let path = dir.join(MULT18X18D);
             std::fs::write(&path, include_str!("../templates/mult18x18d.v")).map_err(ToolError::file(&path))?;
             format!("read_verilog +/ecp5/cells_sim.v\nread_verilog {MULT18X18D}\n")
+        }
+        Family::Nexus => {
+            let path = dir.join(MAPPED);
+            product_registers::pack_file(&path, &path, family)?;
+            "read_verilog +/nexus/cells_sim.v\n".to_owned()
         }
         _ => {
             if family == Family::Series7 {

@@ -29,6 +29,7 @@ static FABRIC: Fabric = Fabric {
     // `-abc9` knows the delays of carry cells: 1.0 to 1.5 ns for a sum, 0.54 for a table with its net.
     chain_levels: 2,
     carry_cell: 2,
+    carry_entry: 0,
     shortest_sum: 4,
     shortest_product: 0,
     multiplier_registers: MultiplierRegisters::Product,

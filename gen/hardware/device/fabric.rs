@@ -13,6 +13,8 @@ pub struct Fabric {
     pub chain_levels: u32,
     /// Bits in one carry cell.
     pub carry_cell: usize,
+    /// Cells in front of a chain that only give it its carry in.
+    pub carry_entry: usize,
     /// Sums of at most this many bits are made of look-up tables.
     pub shortest_sum: usize,
     /// Products of fewer bits are made of look-up tables.
@@ -36,7 +38,7 @@ pub struct Fabric {
 pub enum Chains {
     /// In look-up tables in front of the chain, which may compute more than the chain needs (Xilinx).
     WithTables,
-    /// In the carry cell itself, whose tables are used up by it (ECP5).
+    /// In the carry cell itself, whose tables are used up by it (ECP5, Nexus).
     Complete,
 }
 
@@ -57,6 +59,7 @@ pub(super) static SIX_INPUTS: Fabric = Fabric {
     chains: Chains::WithTables,
     chain_levels: 0,
     carry_cell: 4,
+    carry_entry: 0,
     shortest_sum: 2,
     shortest_product: super::SHORTEST_PRODUCT,
     multiplier_registers: MultiplierRegisters::OperandsAndProduct,
@@ -73,9 +76,10 @@ impl Fabric {
         self.tables.iter().rposition(|n| *n == 1).unwrap_or(0)
     }
 
-    /// Bits of carry that a chain takes, whole cells.
+    /// Bits of carry that a chain takes, whole cells; none if it has no bits.
     pub fn carry_bits(&self, bits: usize) -> u64 {
-        (bits.div_ceil(self.carry_cell) * self.carry_cell) as u64
+        let cells = bits.div_ceil(self.carry_cell) + if bits > 0 { self.carry_entry } else { 0 };
+        (cells * self.carry_cell) as u64
     }
 
     /// Look-up tables that carry chains of that many bits take beside those in front of them.
@@ -114,5 +118,7 @@ mod tests {
     fn chains_take_whole_cells() {
         assert_eq!(device::find("xc7a200t-1").unwrap().fabric.carry_bits(5), 8);
         assert_eq!(device::find("xc2v6000-4").unwrap().fabric.carry_bits(5), 5);
+        let nexus = device::find("lifcl-40-9").unwrap().fabric;
+        assert_eq!([0, 5, 32].map(|bits| nexus.carry_bits(bits)), [0, 8, 34], "one cell more than on the ECP5");
     }
 }

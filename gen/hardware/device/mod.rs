@@ -7,6 +7,7 @@
 mod block_ram;
 mod ecp5;
 mod fabric;
+mod nexus;
 mod own;
 pub mod resources;
 mod series7;
@@ -99,6 +100,8 @@ pub enum Family {
     UltraScalePlus,
     /// ECP5: nextpnr, Diamond.
     Ecp5,
+    /// Nexus (CrossLink-NX): nextpnr, Radiant.
+    Nexus,
 }
 
 /// Names of a part in vendor project files.
@@ -120,7 +123,7 @@ pub const MULTIPLIER_BITS: u32 = 18;
 /// Bits of the shortest product that is worth a multiplier; look-up tables make shorter ones.
 pub const SHORTEST_PRODUCT: u32 = 9;
 
-const DEVICES: [Device; 7] = [
+const DEVICES: [Device; 8] = [
     virtex2::XC2V6000,
     spartan6::XC6SLX150,
     series7::XC7A200T,
@@ -128,6 +131,7 @@ const DEVICES: [Device; 7] = [
     series7::XC7A100T,
     series7::XC7Z020,
     ultrascale_plus::XCZU3EG,
+    nexus::LIFCL_40,
 ];
 
 /// What is behind the name of a file of one's own.
@@ -311,7 +315,7 @@ mod tests {
         assert_eq!(
             find("xc7").unwrap_err().to_string(),
             "--device xc7: expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1, xc7z020-1, xczu3eg-1, \
-             or a file NAME.toml of your own"
+             lifcl-40-9, or a file NAME.toml of your own"
         );
     }
 }

@@ -70,6 +70,7 @@ static FABRIC: Fabric = Fabric {
     chains: Chains::WithTables,
     chain_levels: 0,
     carry_cell: 1,
+    carry_entry: 0,
     shortest_sum: 2,
     shortest_product: super::SHORTEST_PRODUCT,
     multiplier_registers: MultiplierRegisters::Product,

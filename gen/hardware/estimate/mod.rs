@@ -5,7 +5,7 @@
 //! registers become one, and the gates that remain are covered by look-up tables (`cover`). What is then counted:
 //!
 //! * look-up tables of the cover, and one for every inverter that stands alone, in front of a carry chain for example;
-//!   on the ECP5 two for a carry cell;
+//!   on the ECP5 and Nexus two for a carry cell;
 //! * flip-flops, without those that the device's multipliers take in, and without delay lines of three clocks or more,
 //!   which become shift registers in look-up tables;
 //! * memories, and delay lines with a tap, as look-up tables.

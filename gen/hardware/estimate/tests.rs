@@ -5,7 +5,7 @@ use crate::device;
 use crate::netlist::{Control, Wire};
 use crate::op::{Add, And, Floor, Less, Multiply, Resize};
 
-const NAMES: [&str; 4] = ["xc2v6000-4", "xc6slx150-3", "xc7a200t-1", "lfe5u-85-6"];
+const NAMES: [&str; 5] = ["xc2v6000-4", "xc6slx150-3", "xc7a200t-1", "lfe5u-85-6", "lifcl-40-9"];
 
 fn module(build: impl FnOnce(&Control)) -> std::rc::Rc<Module> {
     let control = Control::new("unit", vec![]);
@@ -34,6 +34,11 @@ fn a_sum_takes_a_table_and_a_carry_a_bit() {
     assert_eq!(of(&sum, NAMES[2]), Resources { luts: 8, carry: 12, ..Resources::default() }, "three cells of four");
     // Five carry cells of two bits, each of two tables.
     assert_eq!(of(&sum, NAMES[3]), Resources { luts: 10, carry: 10, ..Resources::default() });
+    assert_eq!(
+        of(&sum, NAMES[4]),
+        Resources { luts: 12, carry: 12, ..Resources::default() },
+        "and one for the carry in"
+    );
 }
 
 #[test]
@@ -81,7 +86,7 @@ fn registers_of_products_are_where_the_family_has_them() {
     assert!(NAMES.iter().all(|name| of(&product, name).multipliers == 1));
     assert_eq!(flip_flops(NAMES[0]), 22 + 22, "MULT18X18S has one register behind the product");
     assert_eq!(flip_flops(NAMES[1]), 0, "DSP48A1 has one around it on every side, two behind");
-    assert_eq!(flip_flops(NAMES[3]), 22 + 22, "so has MULT18X18D");
+    assert_eq!([3, 4].map(|i| flip_flops(NAMES[i])), [22 + 22; 2], "so have MULT18X18D and Nexus' MULT18X18");
 }
 
 #[test]

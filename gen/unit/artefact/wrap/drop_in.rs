@@ -43,7 +43,10 @@ impl Synthesis {
                 ("vivado", vec![("part", format!("{die}{package}{speed}")), ("pnr", "none".to_owned())])
             }
             // In the name of a part Lattice writes the package without its first letters and a C for commercial.
-            Family::Ecp5 => ("diamond", vec![("part", format!("{die}{speed}{}C", package.replace("CABGA", "BG")))]),
+            Family::Ecp5 | Family::Nexus => {
+                let tool = if device.family == Family::Ecp5 { "diamond" } else { "radiant" };
+                (tool, vec![("part", format!("{die}{speed}{}C", package.replace("CABGA", "BG")))])
+            }
         };
         Self { tool, options }
     }

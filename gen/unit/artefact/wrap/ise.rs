@@ -85,7 +85,7 @@ pub(super) fn add(packaged: &Packaged<'_>, set: &mut FileSet) -> Option<Project>
                 ["shreg_min_size", "2", "Shift Register Minimum Size", "2"],
             ],
         ),
-        Family::Series7 | Family::UltraScalePlus | Family::Ecp5 => return None,
+        Family::Series7 | Family::UltraScalePlus | Family::Ecp5 | Family::Nexus => return None,
     };
     let setting = |&[option, value, property, property_value]: &[&'static str; 4]| Setting {
         option,

@@ -47,7 +47,7 @@ const INTERFACES: [(&str, &str); 3] = [("_awaddr", "AXI4-Lite"), ("_tdata", "AXI
 pub(super) fn add(packaged: &Packaged<'_>, set: &mut FileSet) -> Option<Project> {
     match packaged.device.family {
         Family::Series7 | Family::UltraScalePlus => {}
-        Family::Virtex2 | Family::Spartan6 | Family::Ecp5 => return None,
+        Family::Virtex2 | Family::Spartan6 | Family::Ecp5 | Family::Nexus => return None,
     }
     let Packaged { lists, pace, command_line, core, .. } = *packaged;
     let (sources, top, stem) = (&lists.synthesised[..], &lists.top[..], &packaged.file("")[..]);
