@@ -108,7 +108,7 @@ def changed_list(mesh, width):
 def rows_of(figure):
     """The cells of a table by its description in the registry, the head first."""
     dear = figure["cost"] == "dear"
-    names = {"ask": functools.partial(ask, dear=dear)} | {f.__name__: f for f in (share, code, luts, against, routed, parts, mean, busy, units, changed_list)}
+    names = {"ask": functools.partial(ask, dear=dear)} | {f.__name__: f for f in (share, code, luts, against, routed, parts, mean, busy, engine, changed_list)}
     columns, command = figure["columns"], figure["command"].removeprefix("efsat ")
     yield ([figure["head"]] if "cell" in figure else []) + [column[0] for column in columns]
     rows = figure.get("rows", [""])
