@@ -249,8 +249,12 @@ impl FileSet {
         (there.ours, there.foreign) = there.foreign.into_iter().partition(is_ours);
         let parents: BTreeSet<&Path> = there.ours.iter().flat_map(|name| name.ancestors().skip(1)).collect();
         there.folders.retain(|name| !parents.contains(name.as_path()));
-        let in_the_way = |found: &&PathBuf| self.0.keys().any(|name| Path::new(name).starts_with(found));
-        match there.foreign.iter().find(in_the_way) {
+        // A file with the name of one of the set, or where a directory of it would be, or below a name of a file of it.
+        let in_the_way = |found: &&PathBuf| {
+            self.0.keys().any(|name| Path::new(name).starts_with(found) || found.starts_with(name))
+        };
+        let empty = |found: &&PathBuf| self.0.keys().any(|name| Path::new(name) == *found);
+        match there.foreign.iter().find(in_the_way).or_else(|| there.folders.iter().find(empty)) {
             Some(found) => Err(FileSetError::Collision { dir: dir.to_owned(), found: found.display().to_string() }),
             None => Ok(there),
         }
@@ -508,6 +512,12 @@ mod tests {
         let deep = set(&[("x.vec/y", "y")]);
         assert!(matches!(deep.write(&dir), Err(FileSetError::Collision { .. })));
         fs::remove_file(dir.join("x.vec")).unwrap();
+        // Somebody's directory where a file of ours would be, empty or not.
+        fs::create_dir(dir.join("x.vec")).unwrap();
+        assert!(matches!(files.write(&dir), Err(FileSetError::Collision { .. })));
+        fs::write(dir.join("x.vec/notes"), "n").unwrap();
+        assert!(matches!(files.write(&dir), Err(FileSetError::Collision { .. })));
+        fs::remove_dir_all(dir.join("x.vec")).unwrap();
         fs::write(home.path().join("thesis.tex"), "t").unwrap();
         fs::write(dir.join(manifest::NAME), set(&[("../thesis.tex", "")]).get(manifest::NAME).unwrap()).unwrap();
         files.write(&dir).unwrap();
