@@ -250,9 +250,8 @@ impl FileSet {
         let parents: BTreeSet<&Path> = there.ours.iter().flat_map(|name| name.ancestors().skip(1)).collect();
         there.folders.retain(|name| !parents.contains(name.as_path()));
         // A file with the name of one of the set, or where a directory of it would be, or below a name of a file of it.
-        let in_the_way = |found: &&PathBuf| {
-            self.0.keys().any(|name| Path::new(name).starts_with(found) || found.starts_with(name))
-        };
+        let in_the_way =
+            |found: &&PathBuf| self.0.keys().any(|name| Path::new(name).starts_with(found) || found.starts_with(name));
         let empty = |found: &&PathBuf| self.0.keys().any(|name| Path::new(name) == *found);
         match there.foreign.iter().find(in_the_way).or_else(|| there.folders.iter().find(empty)) {
             Some(found) => Err(FileSetError::Collision { dir: dir.to_owned(), found: found.display().to_string() }),
