@@ -151,7 +151,10 @@ pub fn plane_sums(setting: &Setting) -> Claim {
     for t in 0..2 {
         claim.shown(format!("area_sign{t}_0 == (area{t} > 0) && area_sign{t}_1 == (area{t} < 0)"));
     }
-    claim.mutant(WrongSign, "sides_i(1)(m)").mutant(Reversed, "sides4_1_difference_d1").mutant(WrongSign, "area(1)");
+    claim
+        .mutant(WrongSign, "sides_i(1)(m)")
+        .mutant(Reversed, "sides_difference_d1(k + 3)(m + 1)")
+        .mutant(WrongSign, "area(1)");
     claim.mutant(NotMissing, "area_sign_i(0)(0)");
     claim
 }
@@ -355,7 +358,7 @@ pub fn operands(setting: &Setting) -> Claim {
             claim.shown(format!("dot_lane{k}_m_{c} == {moment}_{c} + {}", number(1 << 17)));
         }
     }
-    claim.mutant(OtherElement, "moment_component_lane_unit_minus(11)(0)").mutant(WrongSign, "offset_m1(i)");
+    claim.mutant(OtherElement, "moment_component_lane_unit_minus(k + 9)(0)").mutant(WrongSign, "offset_m1(i)");
     claim
 }
 

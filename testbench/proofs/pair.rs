@@ -71,7 +71,7 @@ pub fn differences(setting: &Setting) -> Claim {
     }
     claim.mutant(Reversed, "difference_v2(i)");
     if setting.params.transform == Transform::On {
-        claim.mutant(WrongArm, "row_choice_d1(0)");
+        claim.mutant(WrongArm, "row_choice_d1(0)|row_choice_d1(k)");
     }
     claim
 }
