@@ -148,23 +148,16 @@ fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
 #[test]
 #[ignore = "a minute or more: scripts/test full"]
 fn ecp5_is_placed_and_routed() {
-    is_placed_and_routed("lfe5u-85-6", "MULT18X18D", ("REG_OUTPUT_CLK", "CLK0"));
-}
-
-/// `multiplier` is the router's name of one, the parameter that of a registered one.
-fn is_placed_and_routed(device: &str, multiplier: &str, (parameter, value): (&str, &str)) {
     let dir = TempDir::new().unwrap();
-    let Some(report) = report(&smallest_on(device), 1, Some(dir.path())) else { return };
+    let Some(report) = report(&smallest_on("lfe5u-85-6"), 1, Some(dir.path())) else { return };
     let routed = report.routed.as_ref().unwrap();
     let seed = routed.middle().unwrap();
     assert!((20.0..500.0).contains(&seed.megahertz), "{routed:?}");
     let multipliers = report.cells().multipliers;
-    assert_eq!(seed.used[multiplier], multipliers);
+    assert_eq!(seed.used["MULT18X18D"], multipliers);
     // Every product's register is in its multiplier in what was placed.
     let packed = std::fs::read_to_string(dir.path().join("packed.json")).unwrap();
-    let packed: Value = serde_json::from_str(&packed).unwrap();
-    let cells = packed["modules"]["harness"]["cells"].as_object().unwrap().values();
-    assert_eq!(cells.filter(|cell| cell["parameters"][parameter] == value).count() as u64, multipliers);
+    assert_eq!(packed.matches("\"REG_OUTPUT_CLK\":\"CLK0\"").count() as u64, multipliers);
     // The path is told in names of the design and is as long as the clock says.
     let (ns, names) = (seed.critical.logic() + seed.critical.routing(), &seed.critical.steps);
     assert!((ns - 1000.0 / seed.megahertz).abs() < 0.1, "{ns} ns, {} MHz", seed.megahertz);

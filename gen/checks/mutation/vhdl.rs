@@ -364,17 +364,21 @@ fn moved(index: &[&str]) -> Option<String> {
 
 /// Whether a name is that of a row of copies, each later than the one before.
 fn is_delayed(name: &str) -> bool {
+    name.ends_with("_line") || of_held(name).is_some()
+}
+
+/// The name without `_held` or `_held_2` and the like, if it has that.
+fn of_held(name: &str) -> Option<&str> {
     let digits = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    name.ends_with("_line") || name.ends_with("_held") || digits.ends_with("_held_")
+    name.strip_suffix("_held").or_else(|| digits.strip_suffix("_held_"))
 }
 
 /// The name without `_d1`, `_h11`, `_held` and the like.
 fn undelayed(name: &str) -> &str {
     let digits = name.trim_end_matches(|c: char| c.is_ascii_digit());
-    let held = name.strip_suffix("_held").or_else(|| digits.strip_suffix("_held_"));
     match digits.strip_suffix("_d").or_else(|| digits.strip_suffix("_h")) {
         Some(base) if digits != name => base,
-        _ => held.unwrap_or(name),
+        _ => of_held(name).unwrap_or(name),
     }
 }
 

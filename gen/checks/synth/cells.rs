@@ -1,8 +1,8 @@
 //! What the cells of a netlist are in the terms of the device model.
 //!
 //! A LUT is a LUT of any width, an inverter, half of a `WIDEFN9`, or half a carry cell of the ECP5 or Nexus (`CCU2C`, `CCU2`:
-//! two LUTs and two bits of carry; the LUTs of a Xilinx carry chain are cells of their own). Shift registers and memories are counted in the LUTs they
-//! take. Registers that multipliers take in although Yosys leaves them outside are counted apart.
+//! two LUTs and two bits of carry; the LUTs of a Xilinx carry chain are cells of their own). Shift registers and memories are
+//! counted in the LUTs they take. Registers that multipliers take in although Yosys leaves them outside are counted apart.
 
 use crate::synth::netlist::{Module, is_flip_flop};
 use crate::synth::product_registers::{self, Registered};
