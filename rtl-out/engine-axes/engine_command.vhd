@@ -110,9 +110,15 @@ architecture rtl of engine_command is
   signal fault : std_logic_vector(4 downto 0) := fine;
   signal waits : std_logic;
   signal reset_taken : std_logic;  -- the word of a soft reset
+  signal reset_now : std_logic := '0';  -- a clock later: control is busy from the next clock on
   signal clears : std_logic;
   signal shifts : std_logic;
   signal unfit : std_logic;  -- the word of a query has a value that there is not
+  -- A packet has ended, a clock ago; what became of it.
+  signal closing : std_logic := '0';
+  signal closing_fault : std_logic_vector(4 downto 0) := fine;
+  signal closing_query : std_logic := '0';
+  signal closing_short : std_logic := '0';
   signal pending : std_logic := '0';
   signal query_pending : std_logic := '0';
   signal posed_pending : std_logic := '0';
@@ -179,7 +185,7 @@ begin
 
   -- ===== Packets =====
   -- A packet begins when its job has a place to go, and pairs when everything before them is done.
-  waits <= pending or (busy and head_kind(is_pairs));
+  waits <= pending or closing or reset_now or (busy and head_kind(is_pairs));
   taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when expectation = header_state else
     head_valid and not occupied;
   reset_taken <= taken and head_kind(is_reset) when expectation = header_state else '0';
@@ -201,7 +207,8 @@ begin
         words <= head & words(job_bits - 1 downto 64);
       end if;
       stop <= '0';
-      reset_word <= reset_taken and not (reset or soft_reset);
+      closing <= '0';
+      reset_now <= reset_taken and not (reset or soft_reset);
       stop_number <= head(option_number);
       if job_taken = '1' then
         pending <= '0';
@@ -337,20 +344,27 @@ begin
           expectation <= header_state;
           fault <= fine;
           gathers <= '0';
-          -- A stop has no answer, pairs are no job, and a pose becomes one when it is in its place.
-          if found /= fine or expectation = query_state then
-            pending <= '1';
-            query_pending <= '0';
-            posed_pending <= '0';
-            job_reason <= found;
-            if found = fine and expectation = query_state then
-              query_pending <= '1';
-              posed_pending <= '1';
-            elsif answer_short = '1' then
-              -- 6, 7 and 8 become 1, 2 and 3: the two low bits tell them apart.
-              job_reason <= "000" & std_logic_vector(unsigned(found(1 downto 0)) - 1);
-            end if;
+          closing <= '1';
+          closing_fault <= found;
+          closing_query <= '0';
+          if expectation = query_state then
+            closing_query <= '1';
           end if;
+          closing_short <= answer_short;
+        end if;
+      end if;
+      -- A stop has no answer, pairs are no job, and a pose becomes one when it is in its place.
+      if closing = '1' and (closing_fault /= fine or closing_query = '1') then
+        pending <= '1';
+        query_pending <= '0';
+        posed_pending <= '0';
+        job_reason <= closing_fault;
+        if closing_fault = fine then
+          query_pending <= closing_query;
+          posed_pending <= closing_query;
+        elsif closing_short = '1' then
+          -- 6, 7 and 8 become 1, 2 and 3: the two low bits tell them apart.
+          job_reason <= "000" & std_logic_vector(unsigned(closing_fault(1 downto 0)) - 1);
         end if;
       end if;
       -- What is forgotten by reset and by both kinds of soft reset. That of the port drops the rest of a packet, too.
@@ -360,6 +374,7 @@ begin
           expectation <= skip_state;
         end if;
         pending <= '0';
+        closing <= '0';
         query_pending <= '0';
         posed_pending <= '0';
         fault <= fine;
@@ -371,6 +386,7 @@ begin
     end if;
   end process receive;
   job_valid <= pending;
+  reset_word <= reset_now;
   job_words <= words;
   job_query <= query_pending;
   job_posed <= posed_pending;

@@ -49,7 +49,7 @@ entity engine_pairs is
     -- Pairs in the unit.
     sent : in std_logic;  -- while no query runs: a pair of a packet goes to the unit
     answered : in std_logic;  -- one pair more, of the oldest query or a packet
-    idle : out std_logic_vector(lanes - 1 downto 0);  -- every pair is answered or dropped, and the unit has had the pose
+    idle : out std_logic_vector(lanes - 1 downto 0) := (others => '1');  -- a clock ago every pair was answered or dropped, and the unit had had the pose
     reads : out std_logic  -- the oldest query still waits for triangles
   );
 end entity engine_pairs;
@@ -97,7 +97,13 @@ architecture rtl of engine_pairs is
   type open_counts is array (0 to lanes - 1) of unsigned(open_bits - 1 downto 0);
   signal open_pairs : open_counts := (others => (others => '0'));
   signal some_open : flags := (others => '0');
-  signal advances : std_logic;
+  -- What a clock has changed of them, counted in the next one; one that is new is open at once.
+  signal opened : flags := (others => '0');
+  signal dropped_one : flags := (others => '0');
+  signal answered_one : flags := (others => '0');
+  signal ends_front : std_logic;  -- the query in front is done
+  signal may_advance : std_logic;  -- the front lane has no more to ask for, and the next one may be the front
+  signal advances : std_logic := '0';  -- a clock later; until then nothing of it changes
   signal advance_free : std_logic;
 begin
   write_place <= unsigned(pair_lane) & written(to_integer(unsigned(pair_lane)));
@@ -124,9 +130,10 @@ begin
 
   -- A query without triangle tests and another one are never in the unit together.
   next_lane <= front_lane + 1;
-  advance_free <= '1' when some_open = nobody else
+  advance_free <= '1' when (some_open or opened) = nobody else
     not (leaves_only(to_integer(front_lane)) or leaves_only(to_integer(next_lane)));
-  advances <= has_pose and traversed(to_integer(front_lane)) and advance_free and not some_wait(to_integer(front_lane))
+  ends_front <= retire when front_lane = unsigned(oldest) else '0';
+  may_advance <= has_pose and traversed(to_integer(front_lane)) and advance_free and not some_wait(to_integer(front_lane))
     and not head_valid and started(to_integer(next_lane)) when next_lane /= unsigned(oldest) else '0';
 
   each_lane : for lane in 0 to lanes - 1 generate
@@ -134,8 +141,14 @@ begin
   begin
     is_front <= '1' when front_lane = lane else '0';
     pair_left(lane) <= fetches and is_front;
-    idle(lane) <= not some_open(lane) and not some_wait(lane)
-      and not (is_front and (head_valid or (posed(lane) and not has_pose)));
+
+    rest : process (clk)
+    begin
+      if rising_edge(clk) then
+        idle(lane) <= not some_open(lane) and not opened(lane) and not some_wait(lane)
+          and not (is_front and (head_valid or (posed(lane) and not has_pose)));
+      end if;
+    end process rest;
   end generate each_lane;
   reads <= '1' when some_wait(to_integer(unsigned(oldest))) = '1'
     or (front_lane = unsigned(oldest) and (head_valid = '1' or of_front /= 0))
@@ -156,13 +169,13 @@ begin
   count : process (clk)
     variable comes : boolean;
     variable goes : boolean;
-    variable change : integer range -2 to 2;
+    variable change : integer range -2 to 1;
     variable left_of_last : unsigned(open_bits - 1 downto 0);
     variable left_of_front : unsigned(open_bits - 1 downto 0);
   begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
-        comes := accepts = '1' and unsigned(pair_lane) = lane;
+        comes := pair_valid = '1' and full(lane) = '0' and unsigned(pair_lane) = lane;
         goes := fetches = '1' and front_lane = lane;
         if comes then
           written(lane) <= written(lane) + 1;
@@ -191,17 +204,26 @@ begin
           some_wait(lane) <= '0';
           full(lane) <= '0';
         end if;
+        opened(lane) <= '0';
+        if (asked = '1' and front_lane = lane) or (sent = '1' and unsigned(oldest) = lane) then
+          opened(lane) <= '1';
+        end if;
+        dropped_one(lane) <= '0';
+        if triangles_of = lane then
+          dropped_one(lane) <= dropped;
+        end if;
+        answered_one(lane) <= '0';
+        if unsigned(oldest) = lane then
+          answered_one(lane) <= answered;
+        end if;
         change := 0;
-        if asked = '1' and front_lane = lane then
+        if opened(lane) = '1' then
           change := change + 1;
         end if;
-        if sent = '1' and unsigned(oldest) = lane then
-          change := change + 1;
-        end if;
-        if dropped = '1' and triangles_of = lane then
+        if dropped_one(lane) = '1' then
           change := change - 1;
         end if;
-        if answered = '1' and unsigned(oldest) = lane then
+        if answered_one(lane) = '1' then
           change := change - 1;
         end if;
         open_pairs(lane) <= unsigned(signed(open_pairs(lane)) + change);
@@ -211,6 +233,9 @@ begin
           some_open(lane) <= '1';
         end if;
         if reset = '1' then
+          opened(lane) <= '0';
+          dropped_one(lane) <= '0';
+          answered_one(lane) <= '0';
           open_pairs(lane) <= (others => '0');
           some_open(lane) <= '0';
         end if;
@@ -233,7 +258,8 @@ begin
       if (offers_pose and pose_ready) = '1' then
         has_pose <= '1';
       end if;
-      if advances = '1' or (retire = '1' and front_lane = unsigned(oldest)) then
+      advances <= may_advance and not advances and not ends_front;
+      if (advances or ends_front) = '1' then
         left_of_last := left_of_front;
         left_of_front := (others => '0');
         last_lane <= front_lane;
@@ -245,6 +271,7 @@ begin
         left_of_front := (others => '0');
         front_lane <= unsigned(oldest);
         has_pose <= '0';
+        advances <= '0';
         head_valid <= '0';
       end if;
       of_last <= left_of_last;

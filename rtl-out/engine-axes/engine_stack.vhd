@@ -20,6 +20,7 @@ entity engine_stack is
     pop : in std_logic;  -- only while filled
     top_entry : out std_logic_vector(entry_bits - 1 downto 0);
     filled : out std_logic;  -- there is an entry
+    many : out std_logic;  -- there are three or more
     greatest : out unsigned(15 downto 0)  -- number of entries, the most since it was emptied
   );
 end entity engine_stack;
@@ -42,9 +43,12 @@ architecture rtl of engine_stack is
   signal grows : std_logic;
   signal shrinks : std_logic;
   signal filled_now : std_logic := '0';
+  signal several : std_logic := '0';  -- two or more
+  signal many_now : std_logic := '0';
   signal most : unsigned(place_bits downto 0) := (others => '0');
 begin
   filled <= filled_now;
+  many <= many_now;
   top_entry <= top;
   greatest <= resize(most, 16);
   grows <= push and not pop;
@@ -82,6 +86,8 @@ begin
       if clear = '1' then
         used <= (others => '0');
         filled_now <= '0';
+        several <= '0';
+        many_now <= '0';
         push_place <= to_unsigned(places - 2, place_bits);
         pop_place <= to_unsigned(places - 4, place_bits);
         most <= (others => '0');
@@ -90,6 +96,8 @@ begin
         if grows = '1' then
           used <= used + 1;
           filled_now <= '1';
+          several <= filled_now;
+          many_now <= several;
           push_place <= push_place + 1;
           pop_place <= pop_place + 1;
           last_was_push <= '1';
@@ -97,6 +105,12 @@ begin
           used <= used - 1;
           if used = 1 then
             filled_now <= '0';
+          end if;
+          if used = 2 then
+            several <= '0';
+          end if;
+          if used = 3 then
+            many_now <= '0';
           end if;
           push_place <= push_place - 1;
           pop_place <= pop_place - 1;

@@ -16,8 +16,13 @@
 -- used <= 415 + 3 x 32 + 1 = 512 at all times.
 --
 -- The oldest query comes first. A younger one pops only what the queue of its leaf pairs has room for, even if each of its
--- pairs in flight sends four: so none waits for that queue in front of the oldest query's. And it pops only while less than 3
--- pairs wait for their blocks, so that those of the oldest do not wait behind many.
+-- pairs in flight sends four: so none waits for that queue in front of the oldest query's. And it pops only while few pairs
+-- wait for their blocks, so that those of the oldest do not wait behind many.
+--
+-- A lane is chosen in one clock and its pair popped in a later one, and what frees room is counted a clock late. Meanwhile
+-- used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted, while a record has sent three of its four: so a
+-- lane is chosen only if there are 3 places more than the rule asks for. Right behind a pop of its own a lane is chosen only if
+-- there is plenty.
 --
 -- A leaf has no block: its volume is in that of its parent.
 --------------------------------------------------------------------------------
@@ -36,7 +41,7 @@ entity engine_traverse is
     most_expansions : in std_logic_vector(31 downto 0);  -- of it; 0: 2^32, after which the count of the report begins again
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
     ending : in std_logic_vector(lanes - 1 downto 0);  -- no pair is popped any more, and what is in flight is dropped
-    listed_lane : out std_logic_vector(lane_bits - 1 downto 0);  -- whose counts these are
+    -- Of the query whose blocks were taken a clock ago.
     block_count_a : in std_logic_vector(31 downto 0);
     block_count_b : in std_logic_vector(31 downto 0);
     triangle_count_a : in std_logic_vector(31 downto 0);
@@ -63,17 +68,17 @@ entity engine_traverse is
     pair_a : out std_logic_vector(27 downto 0);  -- number of the triangle
     pair_b : out std_logic_vector(27 downto 0);
     -- State and events, each of one clock.
-    idle : out std_logic_vector(lanes - 1 downto 0);  -- nothing is in flight, and nothing is to be popped
+    idle : out std_logic_vector(lanes - 1 downto 0) := (others => '1');  -- a clock ago nothing was in flight, and nothing was to be popped
     waiting : out std_logic;  -- something is in flight
-    bad_tree : out std_logic_vector(lanes - 1 downto 0);
-    limit_reached : out std_logic_vector(lanes - 1 downto 0);
+    bad_tree : out std_logic_vector(lanes - 1 downto 0) := (others => '0');
+    limit_reached : out std_logic_vector(lanes - 1 downto 0) := (others => '0');
     expanded : out std_logic;
     expanded_lane : out std_logic_vector(lane_bits - 1 downto 0);
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
     tested_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
     survived : out std_logic_vector(2 downto 0);  -- so many more
     survived_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
-    greatest_stack : out unsigned(15 downto 0)  -- of the oldest query
+    greatest_stack : out unsigned(15 downto 0) := (others => '0')  -- of the oldest query, a clock ago
   );
 end entity engine_traverse;
 
@@ -91,39 +96,64 @@ architecture rtl of engine_traverse is
   subtype flags is std_logic_vector(lanes - 1 downto 0);
   constant nobody : flags := (others => '0');
 
-  signal root_due : std_logic := '0';
-  signal root_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal is_root : flags := (others => '0');  -- the roots are pushed, and nothing else of the lane
+  signal is_pushed : flags := (others => '0');  -- a candidate
   signal starts : flags;
   signal push : flags;
   type lane_entries is array (0 to lanes - 1) of std_logic_vector(entry_bits - 1 downto 0);
   signal push_entry : lane_entries;
   signal pop : std_logic;
   signal pops : flags;
-  signal pop_lane : unsigned(lane_bits - 1 downto 0);
+  signal may_start : flags := (others => '0');  -- a clock ago it was not chosen, and could be popped
+  signal may_follow : flags := (others => '0');  -- a clock ago there was plenty, also for a pop then and the one that is due
   signal may_pop : flags;
-  type lane_ages is array (0 to lanes - 1) of unsigned(lane_bits - 1 downto 0);
-  type ages is array (0 to lanes) of unsigned(lane_bits - 1 downto 0);
-  signal lane_of : lane_ages;  -- by age, from the oldest on
-  signal first_from : ages;  -- the first of them from an age on that may pop
-  signal some_may_pop : std_logic;
+  -- The oldest query, a clock later: the next one is oldest only when nothing of the one before it is left.
+  signal first_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal is_oldest : flags := (others => '0');
+  signal choice : flags;  -- the oldest lane that may
+  signal choice_lane : std_logic_vector(lane_bits - 1 downto 0);
+  signal chosen : flags := (others => '0');  -- the lane that pops next; none may be
+  signal chosen_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal some_chosen : std_logic;
   signal top_entry : lane_entries;
   signal filled : flags;
+  signal many : flags;  -- three entries or more
   type stack_counts is array (0 to lanes - 1) of unsigned(15 downto 0);
   signal greatest : stack_counts;
   type lane_rooms is array (0 to lanes - 1) of unsigned(room_bits - 1 downto 0);
-  signal room : lane_rooms := (others => (others => '0'));  -- wide - 3 - used - 4 flying in two's complement: not negative while a pair may be popped although others of the lane fly
+  signal room : lane_rooms := (others => (others => '0'));  -- wide - 6 - used - 4 flying in two's complement: not negative while a pair may be popped although others of the lane fly
+  signal plenty : flags := (others => '0');  -- it was at least 16 a clock ago
   type pair_rooms is array (0 to lanes - 1) of unsigned(pair_room_bits - 1 downto 0);
-  signal pair_room : pair_rooms := (others => (others => '0'));  -- the same of the queue of leaf pairs: pairs - 4 - those in it - 4 flying
+  signal pair_room : pair_rooms := (others => (others => '0'));  -- the same of the queue of leaf pairs: pairs - 7 - those in it - 4 flying
+  signal pair_plenty : flags := (others => '0');  -- it was at least 32 a clock ago
   type lane_flights is array (0 to lanes - 1) of unsigned(flight_bits + 1 downto 0);
   signal lane_flying : lane_flights := (others => (others => '0'));
   signal nothing_flies : flags := (others => '1');  -- of the lane
   signal flying : unsigned(flight_bits + 1 downto 0) := (others => '0');  -- of all lanes
   signal all_fly : std_logic := '0';  -- flying = in_flight
+  signal nearly_all_fly : std_logic := '0';  -- but for one
   signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit
   signal crowded : std_logic := '0';  -- so many that a younger query waits
   type lane_numbers is array (0 to lanes - 1) of unsigned(31 downto 0);
   signal allowed : lane_numbers := (others => (others => '0'));  -- expansions
+  signal last_one : flags := (others => '0');  -- the next expansion is the last
+  signal few_left : flags := (others => '0');  -- a clock ago there were less than eight
   signal spent : flags := (others => '0');  -- no expansion more
+  -- What a clock has changed, counted in the next one.
+  signal pushed : flags := (others => '0');
+  signal pushed_all : flags := (others => '0');  -- a record that is pushed is finished
+  signal pair_gone : flags := (others => '0');  -- a pair has left the queue of the lane
+  signal pair_sent : flags := (others => '0');  -- a pair has gone into it
+  signal sent_all : flags := (others => '0');  -- a record of leaves is finished
+  signal no_nodes : flags := (others => '0');  -- an answer without a record that is pushed
+  signal no_leaves : flags := (others => '0');  -- an answer without a record of leaves
+  signal both_records : flags := (others => '0');  -- an answer with both
+  -- The same of all lanes, for the records.
+  signal one_more : std_logic := '0';
+  signal met_nothing : std_logic := '0';
+  signal pushed_one : std_logic := '0';
+  signal sent_one : std_logic := '0';
+  subtype record_change is integer range -3 to 1;
   signal issued : std_logic := '0';  -- a pair that was popped and whose blocks are asked for
   signal issued_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal issued_entry : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
@@ -143,7 +173,7 @@ architecture rtl of engine_traverse is
 
   signal taken_entry : std_logic_vector(entry_bits - 1 downto 0);
   signal taken_lane : unsigned(lane_bits - 1 downto 0);
-  signal listed_lane_now : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal listed_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal there_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal wanted_a : std_logic_vector(1 downto 0);
   signal wanted_b : std_logic_vector(1 downto 0);
@@ -174,18 +204,17 @@ architecture rtl of engine_traverse is
 
   -- An answer of the volume unit, a clock later.
   signal answered_children : std_logic_vector(131 downto 0);
+  signal answered_lane : unsigned(lane_bits - 1 downto 0);
   signal met : std_logic := '0';
   signal met_entry : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
   signal met_family : std_logic_vector(119 downto 0) := (others => '0');  -- children of A, of B, the right one first: leaf, fault, number
   signal met_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal met_nodes : std_logic_vector(3 downto 0) := "0000";  -- survivors that are pushed
   signal met_leaves : std_logic_vector(3 downto 0) := "0000";  -- survivors that are pairs of leaves
-  signal met_faults : std_logic_vector(3 downto 0) := "0000";
   signal met_survivors : std_logic_vector(3 downto 0);
-  signal wrong : std_logic;
-  signal kept : std_logic;
-  signal brings_nodes : std_logic;
-  signal brings_leaves : std_logic;
+  signal wrong : std_logic := '0';  -- one has a wrong link
+  signal brings_nodes : std_logic := '0';  -- there are survivors that are pushed, and the query goes on
+  signal brings_leaves : std_logic := '0';
 
   -- Records of survivors that are pushed: the first is opened. Behind it there is room for all pairs in flight.
   constant node_record_bits : natural := entry_bits + 124;
@@ -198,6 +227,7 @@ architecture rtl of engine_traverse is
   signal node_count : unsigned(flight_bits downto 0) := (others => '0');
   signal nodes_wait : std_logic;
   signal next_nodes : node_record;
+  signal next_leaf : std_logic_vector(3 downto 0);  -- which of its children are leaves
   signal next_node_lane : unsigned(lane_bits - 1 downto 0);
   signal nodes_free : std_logic;
 
@@ -230,11 +260,11 @@ architecture rtl of engine_traverse is
   signal left_over : std_logic_vector(3 downto 0) := "0000";
   signal pick : std_logic_vector(3 downto 0);
   signal last_pick : std_logic;
-  signal joins_a : std_logic_vector(1 downto 0);  -- bit q: both children of A are leaves, child q of B is none
-  signal joins_b : std_logic_vector(1 downto 0);
+  signal joins_a : std_logic_vector(1 downto 0) := "00";  -- bit q: both children of A are leaves, child q of B is none
+  signal joins_b : std_logic_vector(1 downto 0) := "00";
   signal joined_a : std_logic;  -- both leaves meet the same inner node, and go as one pair
   signal joined_b : std_logic;
-  signal chosen : std_logic_vector(3 downto 0);  -- what is picked, and what goes with it
+  signal gone : std_logic_vector(3 downto 0);  -- what is picked, and what goes with it
   signal candidate : std_logic := '0';
   signal candidate_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal is_last : std_logic := '0';
@@ -248,29 +278,26 @@ architecture rtl of engine_traverse is
   signal next_a : std_logic_vector(node_bits + 1 downto 0);
   signal next_b : std_logic_vector(node_bits + 1 downto 0);
   signal next_level : std_logic_vector(level_bits - 1 downto 0) := (others => '0');
-  signal ended : flags := (others => '1');  -- ending, a clock later: near to what reads it
-  signal push_due : std_logic;
+  signal ended : flags := (others => '1');  -- ending, a clock later: near to what reads it, and still set in the clock of start
   signal pair_due : std_logic;
   signal nodes_finished : std_logic;
 begin
   -- ===== Issue =====
   each_lane : for lane in 0 to lanes - 1 generate
-    signal is_oldest : std_logic;
-    signal is_root : std_logic;  -- nothing else of the lane is pushed then
+    signal earlier : flags;  -- lanes of older queries that may pop
+    signal lives : std_logic;
   begin
-    is_root <= root_due when root_lane = lane else '0';
-    is_oldest <= '1' when unsigned(oldest) = lane else '0';
+    lives <= not ending(lane) and not ended(lane) and not spent(lane);  -- what the last query has left on the stack goes with start
     starts(lane) <= start when unsigned(start_lane) = lane else '0';
-    pops(lane) <= pop when pop_lane = lane else '0';
-    -- What the last query has left on the stack goes with start.
-    may_pop(lane) <= filled(lane) and not starts(lane) and not ending(lane) and not spent(lane) and not all_fly
-      and (nothing_flies(lane) or not room(lane)(room_bits - 1))
-      and (is_oldest or not (pair_room(lane)(pair_room_bits - 1) or crowded));
-    limit_reached(lane) <= filled(lane) and spent(lane) and not starts(lane) and not ending(lane);
-    idle(lane) <= nothing_flies(lane) and (ending(lane) or not filled(lane)) and not starts(lane)
-      and not is_root;
-    push(lane) <= push_due when candidate_lane = lane and is_root = '0' else is_root;
-    push_entry(lane) <= "0000000000000000000000001100000000000000000000000011000000" when is_root = '1' else next_a & next_b & next_level;
+    pops(lane) <= chosen(lane) and not ending(lane) and issue_free;
+    may_pop(lane) <= may_start(lane) when chosen(lane) = '0' else may_follow(lane);
+    push(lane) <= is_pushed(lane) or is_root(lane);
+    push_entry(lane) <= "0000000000000000000000001100000000000000000000000011000000" when is_root(lane) = '1' else next_a & next_b & next_level;
+
+    by_age : for other in 0 to lanes - 1 generate
+      earlier(other) <= may_pop(other) when other - first_lane < lane - first_lane else '0';
+    end generate by_age;
+    choice(lane) <= may_pop(lane) when earlier = nobody else '0';
 
     stack : entity work.engine_stack
       port map (
@@ -281,103 +308,165 @@ begin
         pop => pops(lane),
         top_entry => top_entry(lane),
         filled => filled(lane),
+        many => many(lane),
         greatest => greatest(lane)
       );
+
+    rest : process (clk)
+    begin
+      if rising_edge(clk) then
+        may_start(lane) <= lives and filled(lane) and not chosen(lane) and not all_fly
+          and (nothing_flies(lane) or not room(lane)(room_bits - 1)) and (is_oldest(lane) or not (pair_room(lane)(pair_room_bits - 1) or crowded));
+        may_follow(lane) <= lives and many(lane) and not few_left(lane) and plenty(lane)
+          and (is_oldest(lane) or (pair_plenty(lane) and not crowded));
+        is_root(lane) <= starts(lane) and not reset;
+        is_pushed(lane) <= '0';
+        if own_lane = lane then
+          is_pushed(lane) <= opened and not ending(lane) and not reset;
+        end if;
+        limit_reached(lane) <= filled(lane) and spent(lane) and not ended(lane) and not ending(lane);
+        is_oldest(lane) <= '0';
+        if unsigned(oldest) = lane then
+          is_oldest(lane) <= '1';
+        end if;
+        idle(lane) <= nothing_flies(lane) and (ending(lane) or not (filled(lane) or ended(lane))) and not is_root(lane);
+      end if;
+    end process rest;
   end generate each_lane;
 
-  -- The oldest lane that may.
-  by_age : for age in 0 to lanes - 1 generate
-    lane_of(age) <= unsigned(oldest) + age;
-    first_from(age) <= lane_of(age) when may_pop(to_integer(lane_of(age))) = '1' else first_from(age + 1);
-  end generate by_age;
-  first_from(lanes) <= unsigned(oldest);
-  pop_lane <= first_from(0);
-  some_may_pop <= '1' when may_pop /= nobody else '0';
+  number_lane : for digit in 0 to lane_bits - 1 generate
+    signal has_bit : flags;
+  begin
+    lanes_with_bit : for lane in 0 to lanes - 1 generate
+      has_bit(lane) <= choice(lane) when (lane / 2 ** digit) mod 2 = 1 else '0';
+    end generate lanes_with_bit;
+    choice_lane(digit) <= '0' when has_bit = nobody else '1';
+  end generate number_lane;
+  some_chosen <= '0' when chosen = nobody else '1';
   issue_free <= request_ready or not issued;
-  pop <= some_may_pop and issue_free;
+  pop <= '0' when pops = nobody else '1';
   expanded <= pop;
-  expanded_lane <= std_logic_vector(pop_lane);
+  expanded_lane <= std_logic_vector(chosen_lane);
   request_valid <= issued;
   request_lane <= std_logic_vector(issued_lane);
   request_a <= issued_entry(entry_node_a);
   request_b <= issued_entry(entry_node_b);
   waiting <= '0' when flying = 0 else '1';
-  greatest_stack <= greatest(to_integer(unsigned(oldest)));
 
   issue : process (clk)
-    variable change : integer range -1 to 8;
+    variable change : integer range -1 to 9;
     variable pair_change : integer range -1 to 9;
-    variable records : integer range -3 to 1;  -- that are more than before; a pair in flight counts as one
-    variable all_records : integer range -3 to 1;
+    variable records : record_change;  -- that are more than before; a pair in flight counts as one
     variable lane_steady : unsigned(flight_bits + 1 downto 0);  -- pairs in flight and records but for a pop
     variable steady : unsigned(flight_bits + 1 downto 0);
   begin
     if rising_edge(clk) then
-      root_due <= start and not reset;
-      root_lane <= unsigned(start_lane);
+      first_lane <= unsigned(oldest);
+      greatest_stack <= greatest(to_integer(unsigned(oldest)));
       if issue_free = '1' then
-        issued_lane <= pop_lane;
-        issued_entry <= top_entry(to_integer(pop_lane));
+        issued_lane <= chosen_lane;
+        issued_entry <= top_entry(to_integer(chosen_lane));
       end if;
       if pop = '1' then
-        entry_memory(to_integer(popped_place)) <= top_entry(to_integer(pop_lane));
-        lane_memory(to_integer(popped_place)) <= pop_lane;
+        entry_memory(to_integer(popped_place)) <= top_entry(to_integer(chosen_lane));
+        lane_memory(to_integer(popped_place)) <= chosen_lane;
       end if;
       for lane in 0 to lanes - 1 loop
         if starts(lane) = '1' then
           allowed(lane) <= unsigned(most_expansions) - 1;
+          last_one(lane) <= '0';
+          if unsigned(most_expansions) = 1 then
+            last_one(lane) <= '1';
+          end if;
           spent(lane) <= '0';
         elsif pops(lane) = '1' then
           allowed(lane) <= allowed(lane) - 1;
-          if allowed(lane) = 0 then
-            spent(lane) <= '1';
+          last_one(lane) <= '0';
+          if allowed(lane) = 1 then
+            last_one(lane) <= '1';
           end if;
+          spent(lane) <= last_one(lane);
+        end if;
+        pushed(lane) <= push(lane);
+        pushed_all(lane) <= '0';
+        if candidate_lane = lane then
+          pushed_all(lane) <= nodes_finished;
+        end if;
+        pair_gone(lane) <= pair_left(lane);
+        pair_sent(lane) <= '0';
+        sent_all(lane) <= '0';
+        if leaf_lane = lane then
+          pair_sent(lane) <= pair_due and pair_ready;
+          sent_all(lane) <= leaves_finished;
+        end if;
+        no_nodes(lane) <= '0';
+        no_leaves(lane) <= '0';
+        both_records(lane) <= '0';
+        if met_lane = lane then
+          no_nodes(lane) <= met and not brings_nodes;
+          no_leaves(lane) <= met and not brings_leaves;
+          both_records(lane) <= met and brings_nodes and brings_leaves;
         end if;
         -- A push takes one place, a record that is finished frees four, and a pop, below, frees one and reserves four. In the
         -- queue of leaf pairs a pop reserves four.
         change := 0;
         pair_change := 0;
         records := 0;
-        if push(lane) = '1' then
+        if pushed(lane) = '1' then
           change := change - 1;
         end if;
-        if pair_left(lane) = '1' then
-          pair_change := pair_change + 1;
-        end if;
-        if met = '1' and met_lane = lane then
-          if brings_nodes = '0' then
-            change := change + 4;
-          end if;
-          if brings_leaves = '0' then
-            pair_change := pair_change + 4;
-          end if;
-          if brings_nodes = '1' and brings_leaves = '1' then
-            records := records + 1;
-          elsif brings_nodes = '0' and brings_leaves = '0' then
-            records := records - 1;
-          end if;
-        end if;
-        if nodes_finished = '1' and candidate_lane = lane then
+        if pushed_all(lane) = '1' then
           change := change + 4;
           records := records - 1;
         end if;
-        if leaf_lane = lane then
-          if pair_due = '1' and pair_ready = '1' then
-            pair_change := pair_change - 1;
-          end if;
-          if leaves_finished = '1' then
-            pair_change := pair_change + 4;
-            records := records - 1;
-          end if;
+        if no_nodes(lane) = '1' then
+          change := change + 4;
+        end if;
+        if pair_gone(lane) = '1' then
+          pair_change := pair_change + 1;
+        end if;
+        if pair_sent(lane) = '1' then
+          pair_change := pair_change - 1;
+        end if;
+        if sent_all(lane) = '1' then
+          pair_change := pair_change + 4;
+          records := records - 1;
+        end if;
+        if no_leaves(lane) = '1' then
+          pair_change := pair_change + 4;
+        end if;
+        if both_records(lane) = '1' then
+          records := records + 1;
+        elsif (no_nodes(lane) and no_leaves(lane)) = '1' then
+          records := records - 1;
+        end if;
+        few_left(lane) <= '0';
+        if allowed(lane)(31 downto 3) = 0 then
+          few_left(lane) <= '1';
+        end if;
+        plenty(lane) <= '0';
+        if signed(room(lane)) >= 16 then
+          plenty(lane) <= '1';
+        end if;
+        pair_plenty(lane) <= '0';
+        if signed(pair_room(lane)) >= 32 then
+          pair_plenty(lane) <= '1';
         end if;
         lane_steady := unsigned(signed(lane_flying(lane)) + records);
         if reset = '1' or starts(lane) = '1' then
-          room(lane) <= unsigned(to_signed(wide - 3, room_bits));
-          pair_room(lane) <= to_unsigned(pairs - 4, pair_room_bits);
+          room(lane) <= unsigned(to_signed(wide - 6, room_bits));
+          pair_room(lane) <= to_unsigned(pairs - 7, pair_room_bits);
+          pushed(lane) <= '0';
+          pushed_all(lane) <= '0';
+          pair_gone(lane) <= '0';
+          pair_sent(lane) <= '0';
+          sent_all(lane) <= '0';
+          no_nodes(lane) <= '0';
+          no_leaves(lane) <= '0';
+          both_records(lane) <= '0';
           lane_flying(lane) <= (others => '0');
           nothing_flies(lane) <= '1';
         else
-          -- Whether a pair is popped is known late in a clock: it only chooses.
           if pops(lane) = '1' then
             room(lane) <= unsigned(signed(room(lane)) + (change - 3));
             pair_room(lane) <= unsigned(signed(pair_room(lane)) + (pair_change - 4));
@@ -397,43 +486,67 @@ begin
           end if;
         end if;
       end loop;
-      all_records := 0;
-      if (met and brings_nodes and brings_leaves) = '1' then
-        all_records := all_records + 1;
-      elsif met = '1' and brings_nodes = '0' and brings_leaves = '0' then
-        all_records := all_records - 1;
+      records := 0;
+      if one_more = '1' then
+        records := records + 1;
       end if;
-      if nodes_finished = '1' then
-        all_records := all_records - 1;
+      if met_nothing = '1' then
+        records := records - 1;
       end if;
-      if leaves_finished = '1' then
-        all_records := all_records - 1;
+      if pushed_one = '1' then
+        records := records - 1;
       end if;
-      steady := unsigned(signed(flying) + all_records);
+      if sent_one = '1' then
+        records := records - 1;
+      end if;
+      one_more <= brings_nodes and brings_leaves and not reset;
+      met_nothing <= met and not brings_nodes and not brings_leaves and not reset;
+      pushed_one <= nodes_finished and not reset;
+      sent_one <= leaves_finished and not reset;
+      steady := unsigned(signed(flying) + records);
       if reset = '1' then
         flying <= (others => '0');
         all_fly <= '0';
+        nearly_all_fly <= '0';
         without_blocks <= (others => '0');
         crowded <= '0';
         popped_place <= (others => '0');
         issued <= '0';
+        chosen <= nobody;
       else
         if issue_free = '1' then
-          issued <= some_may_pop;
+          issued <= pop;
+        end if;
+        if (issue_free or not some_chosen) = '1' then
+          chosen <= choice;
+          chosen_lane <= unsigned(choice_lane);
+          -- With the one that is chosen all would fly.
+          if all_fly = '1' or (some_chosen and nearly_all_fly) = '1' then
+            chosen <= nobody;
+          end if;
+        else
+          chosen <= chosen and not ending;
         end if;
         if pop = '1' then
           popped_place <= popped_place + 1;
         end if;
         all_fly <= '0';
+        nearly_all_fly <= '0';
         if pop = '1' then
           flying <= steady + 1;
           if steady >= in_flight - 1 then
             all_fly <= '1';
           end if;
+          if steady + 2 >= in_flight then
+            nearly_all_fly <= '1';
+          end if;
         else
           flying <= steady;
           if steady >= in_flight then
             all_fly <= '1';
+          end if;
+          if steady + 1 >= in_flight then
+            nearly_all_fly <= '1';
           end if;
         end if;
         if pop = '1' and blocks_taken = '0' then
@@ -455,7 +568,6 @@ begin
   taken_entry <= entry_memory(to_integer(taken_place));
   taken_lane <= lane_memory(to_integer(taken_place));
   take_lane <= std_logic_vector(taken_lane);
-  listed_lane <= std_logic_vector(listed_lane_now);
   wanted_a <= taken_entry(entry_children_a);
   wanted_b <= taken_entry(entry_children_b);
   take_a <= wanted_a;
@@ -505,8 +617,8 @@ begin
     if rising_edge(clk) then
       tested <= tests;
       tested_lane <= std_logic_vector(there_lane);
-      listed_lane_now <= taken_lane;
-      there_lane <= listed_lane_now;
+      listed_lane <= taken_lane;
+      there_lane <= listed_lane;
       there_a <= "00";
       there_b <= "00";
       listed_a <= wanted_a;
@@ -555,31 +667,41 @@ begin
   end generate kinds;
 
   answered_children <= children_memory(to_integer(answered_place));
+  answered_lane <= lane_memory(to_integer(answered_place));
 
   meet : process (clk)
   begin
     if rising_edge(clk) then
       ended <= ending;
+      brings_nodes <= '0';
+      brings_leaves <= '0';
+      wrong <= '0';
+      if (survive and answered_children(131 downto 128)) /= "0000" then
+        wrong <= survive_valid and not reset;
+      elsif ending(to_integer(answered_lane)) = '0' then
+        if (survive and answered_children(123 downto 120)) /= "0000" then
+          brings_nodes <= survive_valid and not reset;
+        end if;
+        if (survive and answered_children(127 downto 124)) /= "0000" then
+          brings_leaves <= survive_valid and not reset;
+        end if;
+      end if;
       met_entry <= entry_memory(to_integer(answered_place));
       met_family <= answered_children(119 downto 0);
-      met_lane <= lane_memory(to_integer(answered_place));
+      met_lane <= answered_lane;
       met_nodes <= survive and answered_children(123 downto 120);
       met_leaves <= survive and answered_children(127 downto 124);
-      met_faults <= survive and answered_children(131 downto 128);
       met <= survive_valid and not reset;
     end if;
   end process meet;
 
   met_survivors <= met_nodes or met_leaves;
-  wrong <= '0' when met_faults = "0000" else met;
-  kept <= met and not wrong and not ended(to_integer(met_lane));
-  brings_nodes <= '0' when met_nodes = "0000" else kept;
-  brings_leaves <= '0' when met_leaves = "0000" else kept;
 
   -- A record goes into its queue if it is not the first.
   nodes_wait <= '0' when node_count = 0 else '1';
   nodes_free <= last_pick or not opened;
   next_nodes <= node_memory(to_integer(node_read)) when nodes_wait = '1' else met_nodes & met_family & met_entry;
+  next_leaf <= next_nodes(entry_bits + 119) & next_nodes(entry_bits + 89) & next_nodes(entry_bits + 59) & next_nodes(entry_bits + 29);
   next_node_lane <= node_lanes(to_integer(node_read)) when nodes_wait = '1' else met_lane;
   leaves_wait <= '0' when leaf_count = 0 else '1';
   leaves_free <= leaves_finished or not some_leaves;
@@ -645,17 +767,13 @@ begin
     "0100" when left_over(2) = '1' else
     "0010" when left_over(1) = '1' else
     left_over;
-  joins_a(0) <= family(119) and family(89) and not family(29);
-  joins_a(1) <= family(119) and family(89) and not family(59);
-  joins_b(0) <= family(59) and family(29) and not family(89);
-  joins_b(1) <= family(59) and family(29) and not family(119);
   joined_a <= (pick(3) and joins_a(1) and left_over(1)) or (pick(2) and joins_a(0) and left_over(0));
   joined_b <= (pick(3) and joins_b(1) and left_over(2)) or (pick(1) and joins_b(0) and left_over(0));
-  chosen(3) <= pick(3);
-  chosen(2) <= pick(2) or (pick(3) and joins_b(1) and left_over(2));
-  chosen(1) <= pick(1) or (pick(3) and joins_a(1) and left_over(1));
-  chosen(0) <= pick(0) or (((pick(2) and joins_a(0)) or (pick(1) and joins_b(0))) and left_over(0));
-  last_pick <= '1' when left_over = chosen else '0';
+  gone(3) <= pick(3);
+  gone(2) <= pick(2) or (pick(3) and joins_b(1) and left_over(2));
+  gone(1) <= pick(1) or (pick(3) and joins_a(1) and left_over(1));
+  gone(0) <= pick(0) or (((pick(2) and joins_a(0)) or (pick(1) and joins_b(0))) and left_over(0));
+  last_pick <= '1' when left_over = gone else '0';
 
   choose : process (clk)
   begin
@@ -686,11 +804,15 @@ begin
       if nodes_free = '1' then
         own <= next_nodes(entry_bits - 1 downto 0);
         family <= next_nodes(entry_bits + 119 downto entry_bits);
+        joins_a(0) <= next_leaf(3) and next_leaf(2) and not next_leaf(0);
+        joins_a(1) <= next_leaf(3) and next_leaf(2) and not next_leaf(1);
+        joins_b(0) <= next_leaf(1) and next_leaf(0) and not next_leaf(2);
+        joins_b(1) <= next_leaf(1) and next_leaf(0) and not next_leaf(3);
         left_over <= next_nodes(entry_bits + 123 downto entry_bits + 120);
         own_lane <= next_node_lane;
         opened <= nodes_wait or brings_nodes;
       else
-        left_over <= left_over and not chosen;
+        left_over <= left_over and not gone;
       end if;
       if reset = '1' then
         opened <= '0';
@@ -698,16 +820,18 @@ begin
     end if;
   end process choose;
 
-  push_due <= candidate and not ended(to_integer(candidate_lane));
   nodes_finished <= candidate and is_last;
-  find_bad : for lane in 0 to lanes - 1 generate
-    signal of_record : std_logic;
-    signal of_block : std_logic;
+  find_bad : process (clk)
   begin
-    of_record <= wrong when met_lane = lane else '0';
-    of_block <= bad_a or bad_b when there_lane = lane else '0';
-    bad_tree(lane) <= of_record or of_block;
-  end generate find_bad;
+    if rising_edge(clk) then
+      for lane in 0 to lanes - 1 loop
+        bad_tree(lane) <= '0';
+        if (wrong = '1' and met_lane = lane) or ((bad_a or bad_b) = '1' and there_lane = lane) then
+          bad_tree(lane) <= not reset;
+        end if;
+      end loop;
+    end if;
+  end process find_bad;
 
   -- The number of a block without a fault has no more bits than these.
   next_a <= child_a(node_bits - 1 downto 0) & "11" when child_a(29) = '0' else

@@ -103,7 +103,6 @@ architecture rtl of efsat_engine is
   signal block_base_b : std_logic_vector(31 downto 0);
   signal triangle_base_a : std_logic_vector(31 downto 0);
   signal triangle_base_b : std_logic_vector(31 downto 0);
-  signal listed_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal block_count_a : std_logic_vector(31 downto 0);
   signal block_count_b : std_logic_vector(31 downto 0);
   signal triangle_count_a : std_logic_vector(31 downto 0);
@@ -165,9 +164,7 @@ architecture rtl of efsat_engine is
   signal leaf_b : std_logic_vector(27 downto 0);
   signal triangles_valid : std_logic;
   signal triangles_there : std_logic;  -- and not sent yet
-  signal triangles_passed : std_logic;  -- dropped, or by the unit
-  signal triangles_taken : std_logic;
-  signal triangles_sent : std_logic := '0';  -- the unit has taken them, a clock ago
+  signal triangles_taken : std_logic := '0';  -- by the unit, or past it, or dropped, a clock ago
   signal triangles_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal testable : std_logic;
   signal drops : std_logic;
@@ -345,7 +342,6 @@ begin
       request_lane => request_lane,
       block_base_a => block_base_a,
       block_base_b => block_base_b,
-      listed_lane => listed_lane,
       block_count_a => block_count_a,
       block_count_b => block_count_b,
       triangle_count_a => triangle_count_a,
@@ -377,7 +373,6 @@ begin
       most_expansions => most_expansions,
       oldest => oldest,
       ending => ending,
-      listed_lane => listed_lane,
       block_count_a => block_count_a,
       block_count_b => block_count_b,
       triangle_count_a => triangle_count_a,
@@ -484,21 +479,19 @@ begin
   -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
   -- The numbers of triangles are in the low bits of the first word, 28 of them.
   numbers <= triangle_b(triangle_number) & triangle_a(triangle_number);
-  bypass_free <= decided_taken or not bypassed_valid;
+  bypass_free <= not bypassed_valid;
   tests_them <= triangles_there and testable and not leaves_only and not drops;
   passes_them <= triangles_there and testable and leaves_only and not drops;
   unit_valid <= tests_them or packet_valid;
   bypass_valid <= passes_them;
-  -- Whether the unit takes a pair is known late in a clock: the memory hears of it a clock later, which costs nothing, because the
-  -- unit does not take the next one at once.
-  triangles_there <= triangles_valid and not triangles_sent;
-  triangles_passed <= triangles_there and (drops or (passes_them and bypass_free));
-  triangles_taken <= triangles_passed or triangles_sent;
+  -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs nothing, because the unit does
+  -- not take the next pair at once.
+  triangles_there <= triangles_valid and not triangles_taken;
 
   send : process (aclk)
   begin
     if rising_edge(aclk) then
-      triangles_sent <= tests_them and unit_ready and not restart;
+      triangles_taken <= triangles_there and not restart and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
     end if;
   end process send;
 
@@ -512,6 +505,8 @@ begin
         bypassed_valid <= '0';
       elsif bypass_free = '1' then
         bypassed_valid <= bypass_valid;
+      elsif decided_taken = '1' then
+        bypassed_valid <= '0';
       end if;
     end if;
   end process bypass;

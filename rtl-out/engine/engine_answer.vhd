@@ -35,11 +35,11 @@ entity engine_answer is
     separate_too : in std_logic;  -- pairs that are separate are answered, too
     stop_at_contact : in std_logic;
     pair_answered : out std_logic;  -- one pair more has become a word, or was dropped, a clock ago
-    contact : out std_logic;  -- it intersects, and the query is to end with it
+    contact : out std_logic;  -- a pair of the query intersects, and the query is to end with it; until its report
     -- The report.
     report_due : in std_logic;  -- until the report is done; then no pair comes
     short : in std_logic;
-    report_done : out std_logic;  -- its last word is on its way
+    report_done : out std_logic;  -- its last word is on its way, a clock ago
     reason : in std_logic_vector(4 downto 0);
     number : in std_logic_vector(23 downto 0);
     -- Counters of each lane: cleared before its query, then so many more in each clock. The report has those of the oldest.
@@ -93,6 +93,12 @@ architecture rtl of engine_answer is
   signal speaks : std_logic;  -- the pair becomes a word
   signal taken : std_logic;
   signal counts : std_logic;
+  signal meets : std_logic;  -- it intersects, and the query ends with it
+  signal contact_now : std_logic := '0';
+  -- What holds for the query, a clock later: its first pair is here later still.
+  signal drops : std_logic := '0';
+  signal all_speak : std_logic := '0';
+  signal one_contact : std_logic := '0';
   signal place : unsigned(2 downto 0) := "000";  -- of the next word of the report
   signal sent : std_logic := '0';
   signal report_word : std_logic_vector(63 downto 0);
@@ -113,7 +119,7 @@ architecture rtl of engine_answer is
   signal pairs_now : unsigned(31 downto 0) := (others => '0');
   type counter_values is array (0 to 9) of unsigned(31 downto 0);
   signal counter : counter_values := (others => (others => '0'));
-  signal steps : std_logic_vector(9 downto 0);
+  signal steps : std_logic_vector(9 downto 0) := (others => '0');  -- a clock later: a report comes later still
   constant intersect_at : natural := 0;
   constant incorrect_at : natural := 1;
   constant blocks_a_read_at : natural := 2;
@@ -131,10 +137,11 @@ begin
   decided_ready <= not next_valid;
   arrives <= decided_valid and not next_valid;
   free <= m_axis_tready or not offered;
-  speaks <= head_valid and not dropping when head_verdict /= separate else head_valid and separate_too and not dropping;
+  speaks <= head_valid and not drops and not contact_now when head_verdict /= separate or all_speak = '1' else '0';
   taken <= head_valid and (free or not speaks);
-  counts <= taken and not dropping;
-  contact <= counts and stop_at_contact when head_verdict = certain else '0';
+  counts <= taken and not drops and not contact_now;
+  meets <= counts and one_contact when head_verdict = certain else '0';
+  contact <= contact_now;
 
   hold : process (clk)
   begin
@@ -158,6 +165,10 @@ begin
         next_outside <= outside;
       end if;
       pair_answered <= taken and not restart;
+      drops <= dropping;
+      all_speak <= separate_too;
+      one_contact <= stop_at_contact;
+      contact_now <= (contact_now or meets) and not report_due and not restart;
       if restart = '1' then
         head_valid <= '0';
         next_valid <= '0';
@@ -184,7 +195,7 @@ begin
     std_logic_vector(counter(starved_at)) & std_logic_vector(counter(words_at)) when place = 6 else
     x"0000" & std_logic_vector(greatest_stack) & std_logic_vector(counter(stalled_at));
   ends <= '1' when place = 7 or short = '1' else '0';
-  report_done <= report_due and free and ends and not sent;
+  report_done <= sent;
 
   offer : process (clk)
   begin
@@ -229,20 +240,22 @@ begin
   m_axis_tlast <= offered_last;
 
   -- ===== Counters =====
-  steps(intersect_at) <= counts when head_verdict = certain else '0';
-  steps(incorrect_at) <= counts and head_verdict(1);
-  steps(blocks_a_read_at) <= block_reads(0);
-  steps(blocks_b_read_at) <= block_reads(1);
-  steps(triangles_asked_at) <= triangles_asked;
-  steps(triangles_a_read_at) <= triangle_reads(0);
-  steps(triangles_b_read_at) <= triangle_reads(1);
-  steps(words_at) <= words_read;
-  steps(starved_at) <= starved;
-  steps(stalled_at) <= stalled;
-
   count : process (clk)
   begin
     if rising_edge(clk) then
+      steps(intersect_at) <= '0';
+      if head_verdict = certain then
+        steps(intersect_at) <= counts;
+      end if;
+      steps(incorrect_at) <= counts and head_verdict(1);
+      steps(blocks_a_read_at) <= block_reads(0);
+      steps(blocks_b_read_at) <= block_reads(1);
+      steps(triangles_asked_at) <= triangles_asked;
+      steps(triangles_a_read_at) <= triangle_reads(0);
+      steps(triangles_b_read_at) <= triangle_reads(1);
+      steps(words_at) <= words_read;
+      steps(starved_at) <= starved;
+      steps(stalled_at) <= stalled;
       for lane in 0 to lanes - 1 loop
         if counting(lane) = '1' then
           clocks(lane) <= clocks(lane) + 1;

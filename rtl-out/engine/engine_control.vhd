@@ -39,7 +39,7 @@ entity engine_control is
     checked_lane : out std_logic_vector(lane_bits - 1 downto 0);
     checked : in std_logic_vector(head_bits - 1 downto 0);
     -- The queries in flight.
-    busy : out std_logic;  -- there is one, or a job, or a report
+    busy : out std_logic;  -- there is one, or a report, or a job is being taken
     running : out std_logic;  -- there is one, or the report of another job
     oldest : out std_logic_vector(lane_bits - 1 downto 0);
     counting : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a query that is not reported yet
@@ -91,28 +91,31 @@ architecture rtl of engine_control is
   signal shorts : flags := (others => '0');
   type lane_reasons is array (0 to lanes - 1) of std_logic_vector(4 downto 0);
   signal reasons : lane_reasons := (others => fine);
+  signal sound : flags := (others => '0');  -- the reason is fine
   type lane_numbers is array (0 to lanes - 1) of std_logic_vector(23 downto 0);
   signal numbers : lane_numbers := (others => (others => '0'));
   -- What follows from these, each in a register of its own, because it is read in many places.
   signal running_now : std_logic := '0';
   signal ending_now : flags := (others => '1');
-  signal dropping_now : std_logic := '0';
+  signal drops : flags := (others => '0');  -- a query runs there, and has a reason to end
 
   -- Jobs and what admits a query.
   type phase_state is (waiting_state, take_state, check_state, flush_state);
   signal phase : phase_state := waiting_state;
   signal taken : std_logic := '0';
-  signal all_idle : std_logic;
-  signal idle_before : std_logic := '0';  -- all is idle, a clock ago: a pair of a packet ends it two clocks before a job can come behind that
+  signal all_idle : std_logic;  -- a clock ago: a pair of a packet ends it two clocks before a job can come behind that
+  signal taken_before : std_logic := '0';
   signal job_due : std_logic;
   signal admits : std_logic;  -- a query is to be checked
   signal checks : unsigned(1 downto 0) := "00";
   signal stopped_waiting : std_logic := '0';  -- the job that waits is to be stopped
-  signal stop_match : flags;
-  type lane_ages is array (0 to lanes - 1) of lane_number;
-  type ages is array (0 to lanes) of lane_number;
-  signal lane_of : lane_ages;  -- by age, from the oldest on
-  signal stop_from : ages;  -- the first of them from an age on that a stop matches
+  -- A stop: numbers are compared in one clock, and looked for in the next; then the oldest query that was found is stopped.
+  signal stop_due : std_logic := '0';
+  signal same_job : std_logic;
+  signal stop_job : std_logic := '0';  -- the job that waits has its number
+  signal stop_number_of : flags := (others => '0');  -- lanes whose number it is
+  signal stop_found : flags := (others => '0');  -- lanes with such a query
+  signal stop_found_job : std_logic := '0';
   signal stops : flags;  -- the lane whose query is stopped
   signal started_pulse : std_logic := '0';
   signal started_lane : lane_number := (others => '0');
@@ -121,13 +124,17 @@ architecture rtl of engine_control is
   signal counts : places := (others => (others => '0'));
   signal options : std_logic_vector(63 downto 0) := (others => '0');
   signal known : std_logic := '0';  -- the caches are those of the bases
-  signal moved : std_logic := '0';
+  constant no_place : std_logic_vector(4 downto 0) := (others => '0');
+  signal moved : std_logic_vector(4 downto 0) := (others => '0');  -- which places are not those of the caches; 4: or the query asks for it
   signal flush_now : std_logic := '0';
   signal outside : std_logic_vector(3 downto 0) := "0000";  -- the memory ends before the range
   signal empty : std_logic := '0';  -- a tree without a root
 
   -- The end of the oldest query.
   signal reporting : std_logic := '0';
+  signal reads_before : std_logic := '0';
+  signal error_before : std_logic := '0';
+  signal silent_before : std_logic := '0';
   signal aborting : std_logic := '0';
 begin
   all_idle <= '1' when idle = all_lanes else '0';
@@ -135,12 +142,12 @@ begin
   job_lane <= std_logic_vector(next_lane);
   checked_lane <= std_logic_vector(admitted_lane);
   running <= running_now;
-  busy <= '0' when phase = waiting_state and job_valid = '0' and occupied = no_lane else '1';
+  busy <= running_now when phase = waiting_state else '1';
   oldest <= std_logic_vector(oldest_lane);
   posed <= has_pose;
   started <= started_now;
   ending <= ending_now;
-  dropping <= dropping_now;
+  dropping <= drops(to_integer(oldest_lane));
   start <= started_pulse;
   start_lane <= std_logic_vector(started_lane);
   most_expansions <= options(option_expansions);
@@ -154,29 +161,53 @@ begin
 
   -- ===== Jobs =====
   -- A query is taken beside others, another job alone.
-  job_due <= job_valid and idle_before when occupied = no_lane else
+  job_due <= job_valid and all_idle when occupied = no_lane else
     job_valid and job_query and asked(to_integer(oldest_lane)) and not occupied(to_integer(next_lane));
   admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
   -- Of those with its number a stop ends the oldest that is not reported.
+  same_job <= job_valid and job_query when job_number = stop_number else '0';
   match : for lane in 0 to lanes - 1 generate
-    stop_match(lane) <= stop and asked(lane) and occupied(lane)
-      when numbers(lane) = stop_number and (reporting = '0' or oldest_lane /= lane) else '0';
-    stops(lane) <= stop_match(lane) when stop_from(0) = lane else '0';
+    signal earlier : flags;  -- older queries with that number
+  begin
     counting(lane) <= occupied(lane) and asked(lane) when reporting = '0' or oldest_lane /= lane else '0';
+    by_age : for other in 0 to lanes - 1 generate
+      earlier(other) <= stop_found(other) when other - oldest_lane < lane - oldest_lane else '0';
+    end generate by_age;
+    stops(lane) <= stop_found(lane) when earlier = no_lane else '0';
   end generate match;
 
-  by_age : for age in 0 to lanes - 1 generate
-    lane_of(age) <= oldest_lane + age;
-    stop_from(age) <= lane_of(age) when stop_match(to_integer(lane_of(age))) = '1' else stop_from(age + 1);
-  end generate by_age;
-  stop_from(lanes) <= oldest_lane;
+  compare : process (clk)
+  begin
+    if rising_edge(clk) then
+      stop_due <= stop and not reset and not forget;
+      stop_job <= same_job;
+      stop_found_job <= '0';
+      if phase /= take_state then
+        stop_found_job <= stop_due and stop_job and job_valid and not reset and not forget;
+      end if;
+      for lane in 0 to lanes - 1 loop
+        stop_number_of(lane) <= '0';
+        if phase = take_state and next_lane = lane then
+          stop_number_of(lane) <= same_job;
+        elsif numbers(lane) = stop_number then
+          stop_number_of(lane) <= '1';
+        end if;
+        stop_found(lane) <= '0';
+        if phase = take_state and next_lane = lane then
+          stop_found(lane) <= stop_due and stop_job and not reset and not forget;
+        elsif reporting = '0' or oldest_lane /= lane then
+          stop_found(lane) <= stop_due and stop_number_of(lane) and asked(lane) and occupied(lane) and not reset and not forget;
+        end if;
+      end loop;
+    end if;
+  end process compare;
 
   -- ===== Checks =====
   check : process (clk)
   begin
     if rising_edge(clk) then
-      if phase = check_state and checks = "00" then
+      if phase = check_state and checks = "01" then
         bases(0) <= unsigned(checked(job_blocks_a));
         bases(1) <= unsigned(checked(job_blocks_b));
         bases(2) <= unsigned(checked(job_triangles_a));
@@ -186,14 +217,20 @@ begin
         counts(2) <= unsigned(checked(job_triangle_count_a));
         counts(3) <= unsigned(checked(job_triangle_count_b));
         options <= checked(job_options);
-        moved <= '0';
-        if known = '0' or bases(0) /= unsigned(checked(job_blocks_a))
-          or bases(1) /= unsigned(checked(job_blocks_b))
-          or bases(2) /= unsigned(checked(job_triangles_a))
-          or bases(3) /= unsigned(checked(job_triangles_b))
-          or checked(job_keep) = '0' then
-          moved <= '1';
+        moved <= (others => '0');
+        if bases(0) /= unsigned(checked(job_blocks_a)) then
+          moved(0) <= '1';
         end if;
+        if bases(1) /= unsigned(checked(job_blocks_b)) then
+          moved(1) <= '1';
+        end if;
+        if bases(2) /= unsigned(checked(job_triangles_a)) then
+          moved(2) <= '1';
+        end if;
+        if bases(3) /= unsigned(checked(job_triangles_b)) then
+          moved(3) <= '1';
+        end if;
+        moved(4) <= not known or not checked(job_keep);
       end if;
       for i in 0 to 1 loop
         outside(i) <= '0';
@@ -221,6 +258,7 @@ begin
     variable now_occupied : flags;
     variable now_started : flags;
     variable now_reasons : lane_reasons;
+    variable now_sound : flags;
     variable now_reporting : std_logic;
     variable old : natural range 0 to lanes - 1;
   begin
@@ -232,16 +270,20 @@ begin
       now_occupied := occupied;
       now_started := started_now;
       now_reasons := reasons;
+      now_sound := sound;
       now_reporting := reporting;
       old := to_integer(oldest_lane);
       started_pulse <= '0';
       started_lane <= admitted_lane;
-      idle_before <= all_idle;
+      taken_before <= taken;
+      reads_before <= reads;
+      error_before <= memory_error;
+      silent_before <= memory_silent;
       flush_now <= '0';
       aborting <= '0';
       stopped <= stopped or stops;
-      if stops = no_lane and job_query = '1' and job_number = stop_number then
-        stopped_waiting <= stopped_waiting or (stop and job_valid);
+      if stops = no_lane then
+        stopped_waiting <= stopped_waiting or stop_found_job;
       end if;
 
       -- Jobs, and the query that is admitted next.
@@ -262,13 +304,17 @@ begin
           if next_lane = lane then
             now_occupied(lane) := '1';
             now_reasons(lane) := job_reason;
+            now_sound(lane) := '0';
+            if job_reason = fine then
+              now_sound(lane) := '1';
+            end if;
             numbers(lane) <= job_number;
             shorts(lane) <= job_short;
             asked(lane) <= job_query;
             has_pose(lane) <= job_posed;
             stopped(lane) <= stopped_waiting;
-            if stop = '1' and stops = no_lane and job_number = stop_number then
-              stopped(lane) <= '1';
+            if stops = no_lane then
+              stopped(lane) <= stopped_waiting or stop_found_job;
             end if;
             admitted(lane) <= not job_query;
           end if;
@@ -279,7 +325,7 @@ begin
         end if;
       elsif phase = check_state then
         checks <= checks + 1;
-        if checks = "10" then
+        if checks = "11" then
           if outside /= "0000" then
             refused := reason_memory;
             now_admitted := true;
@@ -288,7 +334,7 @@ begin
             refused := reason_bad_tree;
             now_admitted := true;
             known <= '0';
-          elsif moved = '1' then
+          elsif moved /= no_place then
             -- Not before the queries that read what is in the caches are done.
             checks <= checks;
             if admitted_lane = oldest_lane then
@@ -323,6 +369,7 @@ begin
               started_pulse <= '1';
             else
               now_reasons(lane) := refused;
+              now_sound(lane) := '0';
             end if;
           end if;
         end loop;
@@ -330,15 +377,19 @@ begin
 
       -- Reasons to end; that of the oldest stays from its report on.
       for lane in 0 to lanes - 1 loop
-        if started_now(lane) = '1' and reasons(lane) = fine and (reporting = '0' or oldest_lane /= lane) then
+        if started_now(lane) = '1' and sound(lane) = '1' and (reporting = '0' or oldest_lane /= lane) then
           if bad_tree(lane) = '1' then
             now_reasons(lane) := reason_bad_tree;
+            now_sound(lane) := '0';
           elsif contact = '1' and oldest_lane = lane then
             now_reasons(lane) := reason_contact;
+            now_sound(lane) := '0';
           elsif limit_reached(lane) = '1' then
             now_reasons(lane) := reason_limit;
+            now_sound(lane) := '0';
           elsif stopped(lane) = '1' then
             now_reasons(lane) := reason_stopped;
+            now_sound(lane) := '0';
           end if;
         end if;
       end loop;
@@ -369,21 +420,24 @@ begin
             admitted(lane) <= '0';
             now_started(lane) := '0';
             now_reasons(lane) := fine;
+            now_sound(lane) := '1';
           end if;
         end loop;
         admitted_lane <= oldest_lane + 1;
       elsif occupied(old) = '1' and admitted(old) = '1' then
-        if started_now(old) = '1' and reads = '1' and (memory_error or memory_silent) = '1' then
+        if started_now(old) = '1' and reads_before = '1' and (error_before or silent_before) = '1' then
           for lane in 0 to lanes - 1 loop
-            if oldest_lane = lane and reasons(lane) = fine then
+            if oldest_lane = lane and sound(lane) = '1' then
+              now_sound(lane) := '0';
               now_reasons(lane) := reason_silent;
-              if memory_error = '1' then
+              if error_before = '1' then
                 now_reasons(lane) := reason_memory;
               end if;
             end if;
           end loop;
           aborting <= '1';
-        elsif idle(old) = '1' then
+        elsif idle(old) = '1' and started_pulse = '0' and taken_before = '0' then
+          -- What has just begun was idle a clock ago.
           now_reporting := '1';
         end if;
       end if;
@@ -414,6 +468,7 @@ begin
               shorts(lane) <= '0';
               numbers(lane) <= forget_number;
               now_reasons(lane) := reason_reset;
+              now_sound(lane) := '0';
             end if;
           end loop;
           admitted_lane <= oldest_lane + 1;
@@ -426,6 +481,7 @@ begin
       occupied <= now_occupied;
       started_now <= now_started;
       reasons <= now_reasons;
+      sound <= now_sound;
       reporting <= now_reporting;
       taken <= '0';
       if next_phase = take_state then
@@ -436,15 +492,9 @@ begin
         running_now <= '1';
       end if;
       for lane in 0 to lanes - 1 loop
-        ending_now(lane) <= '1';
-        if now_started(lane) = '1' and now_reasons(lane) = fine then
-          ending_now(lane) <= '0';
-        end if;
+        ending_now(lane) <= not (now_started(lane) and now_sound(lane));
+        drops(lane) <= now_started(lane) and not now_sound(lane);
       end loop;
-      dropping_now <= '0';
-      if now_started(to_integer(next_oldest)) = '1' and now_reasons(to_integer(next_oldest)) /= fine then
-        dropping_now <= '1';
-      end if;
     end if;
   end process proceed;
 end architecture rtl;

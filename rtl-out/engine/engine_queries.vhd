@@ -27,11 +27,11 @@ entity engine_queries is
     -- The first words of a query, for control, which reads none while it takes a job.
     checked_lane : in std_logic_vector(lane_bits - 1 downto 0);
     checked : out std_logic_vector(head_bits - 1 downto 0);
-    -- Where the blocks are that the traversal asks for, and how many blocks and triangles there are where it reads links.
+    -- Where the blocks are that the traversal asks for, and how many blocks and triangles the trees of the volume lane have, a clock
+    -- later: it reads links then.
     request_lane : in std_logic_vector(lane_bits - 1 downto 0);
     block_base_a : out std_logic_vector(31 downto 0);  -- address / 64
     block_base_b : out std_logic_vector(31 downto 0);
-    listed_lane : in std_logic_vector(lane_bits - 1 downto 0);
     block_count_a : out std_logic_vector(31 downto 0);
     block_count_b : out std_logic_vector(31 downto 0);
     triangle_count_a : out std_logic_vector(31 downto 0);
@@ -67,7 +67,7 @@ architecture rtl of engine_queries is
   signal asked : std_logic_vector(63 downto 0);
   type counts is array (0 to last) of std_logic_vector(127 downto 0);
   signal object_counts : counts := (others => (others => '0'));
-  signal listed : std_logic_vector(127 downto 0);
+  signal listed : std_logic_vector(127 downto 0) := (others => '0');
   signal new_options : std_logic_vector(63 downto 0);
   type pose_words is array (0 to last) of std_logic_vector(pose_bits - 1 downto 0);
   signal pose_memory : pose_words := (others => (others => '0'));
@@ -152,7 +152,7 @@ begin
         head(to_integer(unsigned(head_row))) <= job_words(head_bits - 1 downto 0);
         block_bases(to_integer(unsigned(store_lane))) <= job_words(job_blocks_b) & job_words(job_blocks_a);
         triangle_bases(to_integer(unsigned(store_lane))) <= job_words(job_triangles_b) & job_words(job_triangles_a);
-        object_counts(to_integer(unsigned(store_lane))) <= job_words(job_triangle_count_b) & job_words(job_triangle_count_a)
+        object_counts(to_integer(unsigned(volume_row))) <= job_words(job_triangle_count_b) & job_words(job_triangle_count_a)
           & job_words(job_block_count_b) & job_words(job_block_count_a);
         pose_memory(to_integer(unsigned(store_lane))) <= job_words(job_pose);
         matrix(to_integer(unsigned(volume_row))) <= new_matrix;
@@ -160,6 +160,8 @@ begin
         shift_error(to_integer(unsigned(volume_row))) <= job_words(job_errors);
         row(to_integer(unsigned(volume_row))) <= new_rows;
       end if;
+      checked <= head(to_integer(unsigned(head_row)));
+      listed <= object_counts(to_integer(unsigned(volume_row)));
       for lane in 0 to lanes - 1 loop
         if retire = '1' and unsigned(oldest) = lane then
           leaves(lane) <= '0';
@@ -177,11 +179,9 @@ begin
   end process keep;
 
   head_row <= store_lane when store = '1' else checked_lane;
-  checked <= head(to_integer(unsigned(head_row)));
   requested <= block_bases(to_integer(unsigned(request_lane)));
   block_base_a <= requested(31 downto 0);
   block_base_b <= requested(63 downto 32);
-  listed <= object_counts(to_integer(unsigned(listed_lane)));
   block_count_a <= listed(31 downto 0);
   block_count_b <= listed(63 downto 32);
   triangle_count_a <= listed(95 downto 64);

@@ -66,7 +66,6 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal block_base_b : std_logic_vector(31 downto 0);
   signal triangle_base_a : std_logic_vector(31 downto 0);
   signal triangle_base_b : std_logic_vector(31 downto 0);
-  signal listed_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal block_count_a : std_logic_vector(31 downto 0);
   signal block_count_b : std_logic_vector(31 downto 0);
   signal triangle_count_a : std_logic_vector(31 downto 0);
@@ -128,11 +127,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal leaf_b : std_logic_vector(27 downto 0);
   signal triangles_valid : std_logic;
   signal triangles_there : std_logic;{% if e.unit.paced %}  -- and not sent yet{% endif %}
-  signal triangles_passed : std_logic;  -- dropped, or {% if e.unit.paced %}by the unit{% else %}taken{% endif %}
-  signal triangles_taken : std_logic;
-{%- if e.unit.paced %}
-  signal triangles_sent : std_logic := '0';  -- the unit has taken them, a clock ago
-{%- endif %}
+  signal triangles_taken : std_logic{% if e.unit.paced %} := '0'{% endif %};  -- by the unit, or past it, or dropped{% if e.unit.paced %}, a clock ago{% endif %}
   signal triangles_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal testable : std_logic;
   signal drops : std_logic;
@@ -352,7 +347,6 @@ begin
       request_lane => request_lane,
       block_base_a => block_base_a,
       block_base_b => block_base_b,
-      listed_lane => listed_lane,
       block_count_a => block_count_a,
       block_count_b => block_count_b,
       triangle_count_a => triangle_count_a,
@@ -398,7 +392,6 @@ begin
       most_expansions => most_expansions,
       oldest => oldest,
       ending => ending,
-      listed_lane => listed_lane,
       block_count_a => block_count_a,
       block_count_b => block_count_b,
       triangle_count_a => triangle_count_a,
@@ -510,28 +503,25 @@ begin
   -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
   -- The numbers of triangles are in the low bits of the first word, {{ e.unit.triangle_number_bits }} of them.
   numbers <= {{ e.unit.number_above }}triangle_b(triangle_number) & {{ e.unit.number_above }}triangle_a(triangle_number);
-  bypass_free <= decided_taken or not bypassed_valid;
+  bypass_free <= not bypassed_valid;
   tests_them <= triangles_there and testable and not leaves_only and not drops;
   passes_them <= triangles_there and testable and leaves_only and not drops;
   unit_valid <= tests_them or packet_valid;
   bypass_valid <= passes_them;
 {%- if e.unit.paced %}
-  -- Whether the unit takes a pair is known late in a clock: the memory hears of it a clock later, which costs nothing, because the
-  -- unit does not take the next one at once.
-  triangles_there <= triangles_valid and not triangles_sent;
-  triangles_passed <= triangles_there and (drops or (passes_them and bypass_free));
-  triangles_taken <= triangles_passed or triangles_sent;
+  -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs nothing, because the unit does
+  -- not take the next pair at once.
+  triangles_there <= triangles_valid and not triangles_taken;
 
   send : process (aclk)
   begin
     if rising_edge(aclk) then
-      triangles_sent <= tests_them and unit_ready and not restart;
+      triangles_taken <= triangles_there and not restart and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
     end if;
   end process send;
 {%- else %}
   triangles_there <= triangles_valid;
-  triangles_passed <= triangles_there and (drops or (passes_them and bypass_free));
-  triangles_taken <= triangles_passed or (tests_them and unit_ready);
+  triangles_taken <= triangles_there and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
 {%- endif %}
 
   bypass : process (aclk)
@@ -544,6 +534,8 @@ begin
         bypassed_valid <= '0';
       elsif bypass_free = '1' then
         bypassed_valid <= bypass_valid;
+      elsif decided_taken = '1' then
+        bypassed_valid <= '0';
       end if;
     end if;
   end process bypass;

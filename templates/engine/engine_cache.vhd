@@ -6,7 +6,7 @@
 -- base + i (in 64 bytes); the low {{ m.line_address_bits }} bits choose its place, the others are its tag. A request that misses takes over the
 -- place at once and asks the memory; what was there is still given to the requests before it, because requests are served
 -- in order and words from memory are written when the request that asked for them is the next one. Memory is only asked if
--- there are places for all words of the answer ({{ m.places }} lines).
+-- there are places for all words of the answer ({{ m.places }} lines).{% if m.paced %} A line is served a clock after the one before it is taken.{% endif %}
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -249,7 +249,7 @@ begin
   new_order <= (not hit) & std_logic_vector(judged_at(place_bits - 1 downto 0));
   order_leaves <= serves or not order_valid;
   order_place <= unsigned(order(place_bits - 1 downto 0));
-  serves <= order_valid and (filled or not order(place_bits)) and (line_taken or not found);
+  serves <= order_valid and (filled or not order(place_bits)) and {% if m.paced %}not found{% else %}(line_taken or not found){% endif %};
   writes <= word_valid and order_valid and order(place_bits) and not filled;
   last_word <= writes when word_place = words_per_line - 1 else '0';
   line_valid <= found;

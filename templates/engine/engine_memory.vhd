@@ -52,7 +52,7 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal whole_a : std_logic_vector({{ m.padded }});
   signal whole_b : std_logic_vector({{ m.padded }});
 begin
-  moves <= asked and (lines_taken or not found);
+  moves <= asked and {% if m.paced %}not found{% else %}(lines_taken or not found){% endif %};
   accepts <= moves or not asked;
   request_ready <= accepts;
   lines_valid <= found;
@@ -81,8 +81,10 @@ begin
         if accepts = '1' then
           asked <= request_valid;
         end if;
-        if lines_taken = '1' or found = '0' then
-          found <= asked;
+        if moves = '1' then
+          found <= '1';
+        elsif lines_taken = '1' then
+          found <= '0';
         end if;
       end if;
     end if;

@@ -26,12 +26,16 @@ struct Around {
     held: VecDeque<Decided>,
     /// Words that are due, each with TLAST.
     due: VecDeque<(u64, bool)>,
-    /// Of the clock before: options, whether a pair was a contact, and a word that was not taken.
-    before: Options,
+    /// The options of the two clocks before, the older ones first: they hold a clock later, and an answer is told another one later.
+    before: [Options; 2],
+    /// Of the clock before: whether a contact has ended the query, and a word that was not taken.
     contact: bool,
+    forgets_contact: bool,
     offered: Option<(u64, bool)>,
     certain: u64,
     unsure: u64,
+    /// No word is taken.
+    stands: bool,
 }
 
 impl Around {
@@ -44,7 +48,7 @@ impl Around {
         pair: Option<Decided>,
         options: Options,
     ) -> Result<bool, String> {
-        let ready = !seldom(rng, 3);
+        let ready = !self.stands && !seldom(rng, 3);
         let Decided { verdict, numbers, last } = pair.unwrap_or(Decided { verdict: 1, numbers: 0, last: true });
         for (port, value) in [
             ("decided_valid", pair.is_some().into()),
@@ -59,23 +63,24 @@ impl Around {
             entity.set(port, value);
         }
         entity.settle();
-        let mut contact = false;
+        let mut contact = self.contact;
         if entity.is("pair_answered") {
             let Decided { verdict, numbers, last } =
                 self.held.pop_front().ok_or(format!("clock {clock}: a pair from nowhere is answered"))?;
-            let Options { dropping, separate_too, stop_at_contact } = self.before;
-            if !dropping {
+            let Options { dropping, separate_too, stop_at_contact } = self.before[0];
+            if !dropping && !self.contact {
                 self.certain += u64::from(verdict == 1);
                 self.unsure += u64::from(verdict == 2);
-                contact = stop_at_contact && verdict == 1;
+                contact |= stop_at_contact && verdict == 1;
                 if verdict > 0 || separate_too {
                     self.due.push_back((numbers << 8 | verdict, last));
                 }
             }
         }
-        expect(self.contact == contact, clock, "contact")?;
-        self.contact = entity.is("contact");
-        self.before = options;
+        self.contact = contact && !self.forgets_contact;
+        expect(entity.is("contact") == self.contact, clock, "contact")?;
+        self.forgets_contact = entity.input("report_due") || entity.input("restart");
+        self.before = [self.before[1], options];
         let word = (entity.get("m_axis_tdata"), entity.is("m_axis_tlast"));
         let valid = entity.is("m_axis_tvalid");
         expect(self.offered.is_none_or(|before| valid && before == word), clock, "a word changes before it is taken")?;
@@ -114,23 +119,25 @@ fn answer(entity: &mut Entity) -> Outcome {
     let mut rng = random(11);
     let (mut around, mut clock) = (Around::default(), 0);
     entity.reset();
-    for round in 0..24u64 {
+    for round in 0..48u64 {
         let oldest = round / 3 % LANES;
         entity.set("oldest", oldest);
         entity.set("clear", 1 << oldest);
         entity.set("renew", 1);
         around.drain(entity, &mut rng, &mut clock, Options::default())?;
         (around.certain, around.unsure) = (0, 0);
-        let mut options = Options { separate_too: round % 3 == 0, stop_at_contact: round % 2 == 0, dropping: false };
+        let mut options = Options { separate_too: round % 3 == 0, stop_at_contact: round % 4 == 0, dropping: false };
         let (mut of_lane, mut counts, mut stalled) = ([0; LANE_EVENTS.len()], [0; EVENTS.len()], 0);
-        // What happens in the clock in which counters begin again counts.
-        entity.set("words_read", 1);
-        clock += 1;
-        around.clock(entity, &mut rng, clock, None, options)?;
+        // What happens in the clock before the one in which counters begin again counts.
+        for words in [1, 0] {
+            entity.set("words_read", words);
+            clock += 1;
+            around.clock(entity, &mut rng, clock, None, options)?;
+        }
         counts[3] += 1;
         entity.set("clear", 0);
         entity.set("renew", 0);
-        let running = 60 + 10 * round;
+        let running = 60 + 10 * (round % 24);
         for step in 0..running {
             clock += 1;
             // The query has a reason to end.
@@ -189,16 +196,18 @@ fn answer(entity: &mut Entity) -> Outcome {
         if round % 3 == 1 {
             // It begins again after a restart; what is offered stays until it is taken.
             let whole = around.due.len();
-            for _ in 0..round {
+            for _ in 0..round % 7 {
                 clock += 1;
                 around.clock(entity, &mut rng, clock, None, options)?;
             }
             entity.set("restart", 1);
+            around.stands = true;
             for _ in 0..1 + round % 2 {
                 clock += 1;
                 around.clock(entity, &mut rng, clock, None, options)?;
             }
             entity.set("restart", 0);
+            around.stands = false;
             let taken = whole - around.due.len();
             let offered = around.offered.into_iter();
             let words = if short { 1 } else { EngineReport::WORDS };
@@ -226,8 +235,12 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
     let changes = [
         ("free <= m_axis_tready or not offered;", "free <= '1';"),
         ("decided_ready <= not next_valid;", "decided_ready <= '1';"),
-        ("head_valid and separate_too and not dropping;", "head_valid and separate_too;"),
-        ("counts <= taken and not dropping;", "counts <= taken;"),
+        ("head_verdict /= separate or all_speak = '1' else", "head_verdict /= separate else"),
+        ("speaks <= head_valid and not drops and", "speaks <= head_valid and"),
+        ("counts <= taken and not drops and", "counts <= taken and"),
+        // Pairs behind a contact, and a contact that the next query takes over.
+        ("counts <= taken and not drops and not contact_now;", "counts <= taken and not drops;"),
+        ("(contact_now or meets) and not report_due", "(contact_now or meets)"),
         ("reason = reason_contact and short = '0'", "reason = reason_contact"),
         ("offered_last <= ends;", "offered_last <= '0';"),
         // A restart takes back what is offered, or lets a report go on.

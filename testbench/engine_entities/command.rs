@@ -462,6 +462,7 @@ fn every_packet_becomes_what_it_is() {
         ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_load)"),
         ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_pairs)"),
         ("(head_kind(is_stop) or not waits)", "not waits"),
+        ("pending or closing or reset_now or", "pending or reset_now or"),
         // Soft resets: by a word that waits, that has bits which mean nothing, that leaves a job or a pair; by the port, with
         // packets that go on or words that are held.
         (
@@ -478,7 +479,7 @@ fn every_packet_becomes_what_it_is() {
         ("(soft_reset and stays_within and not reset)", "(stays_within and not reset)"),
         ("if (reset or soft_reset) = '1' then", "if reset = '1' then"),
         (
-            "        pending <= '0';\n        query_pending <= '0';\n        posed_pending <= '0';\n        fault <= fine;",
+            "        pending <= '0';\n        closing <= '0';\n        query_pending <= '0';\n        posed_pending <= '0';\n        fault <= fine;",
             "        fault <= fine;",
         ),
         (

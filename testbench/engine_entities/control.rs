@@ -14,6 +14,8 @@ const LANES: usize = 4;
 
 /// A job, and what it says of a query.
 struct Job {
+    /// No other has it.
+    id: u32,
     query: bool,
     posed: bool,
     short: bool,
@@ -56,7 +58,7 @@ impl Job {
             posed && !query,
             if posed { 0 } else { 6 + rng.random_range(0..3) },
         );
-        Self { query, posed, short, reason, number, words }
+        Self { id: rng.random(), query, posed, short, reason, number, words }
     }
 
     fn offer(&self, entity: &mut Entity) {
@@ -110,6 +112,12 @@ struct Control<'a> {
     job: Option<Job>,
     /// The job that waits is to be stopped.
     stopped: bool,
+    /// Jobs that the stop of the clock before may mean, and those of the stop before that.
+    found: [Vec<u32>; 2],
+    /// What was told a clock ago: lanes that are idle, whether the oldest query reads, and what memory does wrong.
+    idle_before: u64,
+    reads_before: bool,
+    error_before: Option<Reason>,
     /// Objects that the caches hold.
     known: Option<[u64; 2]>,
     /// Clocks that the caches are still at it, after the pulse.
@@ -187,17 +195,20 @@ impl Control<'_> {
         }
     }
 
-    /// Of those with its number a stop ends the oldest that is not reported, or the job that waits.
-    fn stop(&mut self, number: u64) {
+    /// Of those with its number a stop ends the oldest that is not reported, or the job that waits. Numbers are compared in one
+    /// clock, queries looked for in the next, and one is stopped in the third.
+    fn stop(&mut self, number: Option<u64>) {
         let reporting = self.reporting;
-        let mut lanes = self.lanes.iter_mut().enumerate();
-        let runs =
-            |(age, lane): &(usize, &mut Lane)| lane.job.query && lane.job.number == number && !(*age == 0 && reporting);
-        if let Some((_, lane)) = lanes.find(runs) {
-            lane.stopped = true;
-        } else if self.job.as_ref().is_some_and(|job| job.query && job.number == number) {
-            self.stopped = true;
+        let [asked, found] = std::mem::take(&mut self.found);
+        let first = self.lanes.iter_mut().find(|lane| found.contains(&lane.job.id));
+        match first {
+            Some(lane) => lane.stopped = true,
+            None => self.stopped |= self.job.as_ref().is_some_and(|job| found.contains(&job.id)),
         }
+        let reported = self.lanes.front().filter(|_| reporting).map(|lane| lane.job.id);
+        let jobs = self.lanes.iter().map(|lane| &lane.job).chain(&self.job);
+        let meant = jobs.filter(|job| job.query && Some(job.number) == number).map(|job| job.id);
+        self.found = [meant.collect(), asked.into_iter().filter(|&id| Some(id) != reported).collect()];
     }
 
     fn clock(&mut self) -> Outcome {
@@ -231,6 +242,7 @@ impl Control<'_> {
         }
         let events = self.events();
         let idle = self.flags(|lane| lane.idle, !unit_busy);
+        let idle = std::mem::replace(&mut self.idle_before, idle);
         let report_done = self.reporting && seldom(&mut self.rng, 5);
         for (port, value) in [
             ("idle", idle),
@@ -256,18 +268,14 @@ impl Control<'_> {
         self.entity.settle();
         if self.entity.is("start") {
             self.starts()?;
-            let idle = self.flags(|lane| lane.idle, !unit_busy);
-            self.entity.set("idle", idle);
-            self.entity.settle();
+            self.idle_before = self.flags(|lane| lane.idle, !unit_busy);
         }
         self.outputs()?;
         if seldom(&mut self.rng, 400) {
             return self.forget();
         }
         self.flow(reads, events)?;
-        if stops {
-            self.stop(stop);
-        }
+        self.stop(stops.then_some(stop));
         if self.entity.is("job_taken") {
             let job = self.job.take().ok_or(format!("clock {}: a job from nowhere", self.clock))?;
             let lane = self.number(self.lanes.len()) as u64;
@@ -311,7 +319,7 @@ impl Control<'_> {
         }
         let dropping = self.lanes.front().is_some_and(|lane| lane.started && lane.reason.is_some());
         self.expect(self.entity.is("dropping") == dropping, "dropping")?;
-        let busy = !self.lanes.is_empty() || self.job.is_some();
+        let busy = !self.lanes.is_empty();
         self.expect(self.entity.is("busy") || !busy, "busy")?;
         self.together = self.together.max(self.lanes.iter().filter(|lane| lane.started).count());
         Ok(())
@@ -387,6 +395,8 @@ impl Control<'_> {
             self.known = None;
         }
         let before = self.lanes.front().and_then(|lane| lane.reason);
+        let reads = std::mem::replace(&mut self.reads_before, reads);
+        let wrong = std::mem::replace(&mut self.error_before, self.error);
         self.reasons(events);
         let reporting = self.reporting;
         if std::mem::take(&mut self.aborting) {
@@ -402,7 +412,7 @@ impl Control<'_> {
                 self.error = None;
             }
             self.aborts += 1;
-        } else if let (Some(lane), Some(error)) = (self.lanes.front_mut(), self.error)
+        } else if let (Some(lane), Some(error)) = (self.lanes.front_mut(), wrong)
             && lane.started
             && reads
             && !reporting
@@ -429,11 +439,13 @@ impl Control<'_> {
         self.edge();
         self.entity.set("forget", 0);
         let (query, posed, short, reason) = (false, false, false, Reason::Reset as u64);
-        let job = Job { query, posed, short, reason, number, words: vec![0; 31] };
+        let job = Job { id: 0, query, posed, short, reason, number, words: vec![0; 31] };
         let (admitted, started, stopped, idle) = (true, false, false, false);
         self.lanes = [Lane { job, admitted, started, reason: Some(reason), stopped, idle }].into();
         (self.job, self.stopped, self.known, self.flushing, self.error) = (None, false, None, None, None);
         (self.draining, self.reporting, self.aborting) = (false, false, false);
+        (self.found, self.reads_before, self.error_before) = Default::default();
+        self.idle_before = 0;
         Ok(())
     }
 }
@@ -449,6 +461,10 @@ fn control(entity: &mut Entity) -> Outcome {
         oldest: 0,
         job: None,
         stopped: false,
+        found: Default::default(),
+        idle_before: (1 << LANES) - 1,
+        reads_before: false,
+        error_before: None,
         known: None,
         flushing: None,
         error: None,
@@ -472,22 +488,25 @@ fn control(entity: &mut Entity) -> Outcome {
 #[test]
 fn jobs_are_checked_and_run_and_reported() {
     let changes = [
-        ("job_due <= job_valid and idle_before when", "job_due <= job_valid when"),
+        ("job_due <= job_valid and all_idle when", "job_due <= job_valid when"),
         ("job_valid and job_query and asked(to_integer(oldest_lane))", "job_valid and job_query"),
         ("+ resize(counts(i), 33) > 67108864", "+ resize(counts(i), 33) >= 67108864"),
         ("if counts(0) = 0 or counts(1) = 0 then", "if counts(0) = 0 then"),
         ("if flush_now = '0' and flushing = '0' then", "if flushing = '0' then"),
-        ("        if known = '0' or bases(0) /=", "        if bases(0) /="),
+        ("moved(4) <= not known or not", "moved(4) <= not"),
+        // What has just begun is done.
+        ("idle(old) = '1' and started_pulse = '0' and", "idle(old) = '1' and"),
+        ("started_pulse = '0' and taken_before = '0' then", "started_pulse = '0' then"),
         ("if admitted_lane = oldest_lane then", "if admitted_lane = admitted_lane then"),
         // A stop is for whatever runs, for all of a number, or for nobody who waits; a contact for all.
-        ("when numbers(lane) = stop_number and (reporting", "when (reporting"),
-        ("stops(lane) <= stop_match(lane) when stop_from(0) = lane else '0';", "stops(lane) <= stop_match(lane);"),
-        ("stopped(lane) <= stopped_waiting;", "stopped(lane) <= '0';"),
+        ("elsif numbers(lane) = stop_number then", "else"),
+        ("stops(lane) <= stop_found(lane) when earlier = no_lane else '0';", "stops(lane) <= stop_found(lane);"),
+        ("stopped(lane) <= stopped_waiting or stop_found_job;", "stopped(lane) <= stop_found_job;"),
         ("elsif contact = '1' and oldest_lane = lane then", "elsif contact = '1' then"),
         // What memory owes is not waited for, or without end; a query ends that does not read; the others go on.
         ("if memory_draining = '1' then", "if memory_draining = '1' and flushing = '1' then"),
         ("          if memory_silent = '1' then\n", "          if flushing = '1' then\n"),
-        ("and reads = '1' and (memory_error or memory_silent)", "and (memory_error or memory_silent)"),
+        ("and reads_before = '1' and (error_before", "and (error_before"),
         (
             "            now_started(lane) := '0';\n            now_reasons(lane) := fine;",
             "            now_reasons(lane) := fine;",

@@ -98,10 +98,10 @@ fn a_fault_of_memory_is_for_the_engine_that_has_asked() {
     let query = query(&EngineVectors::new(&bench.design, &images_of), &images);
     for kind in 1..=5 {
         let mut vectors = EngineVectors::new(&bench.design, &images_of);
-        // The other engine has begun with B against itself when this block of A is read.
+        // The other engine waits for blocks of B when this one of A, which is not the first, comes.
         let itself = (&images[1], vectors.side(1));
-        let other = numbers.query([itself; 2], &turn(0), &[0.5, 0.0, 0.0]).unwrap();
-        vectors.fault(query.sides[0].blocks_at, kind);
+        let other = numbers.query([itself; 2], &turn(0), &[0.1, 0.0, 0.0]).unwrap();
+        vectors.fault(query.sides[0].blocks_at + 1, kind);
         let of_all = match kind {
             1 | 2 => None,
             4 => Some(Reason::Silent),

@@ -213,7 +213,7 @@ impl Sheet<'_> {
     /// Words of pairs and of the report, ten counters, two sums, and for each lane five counters.
     fn answer(&self) -> Entity {
         let lanes = self.design.params.queries;
-        let flip_flops = 190 + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
+        let flip_flops = 204 + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
         let luts = self.of([857, 1012, 795]) + lanes * self.of([40, 130, 4]);
         self.entity("engine_answer", flip_flops, &[], &[(5 * lanes + 12, 32), (1, 3)], luts)
     }
@@ -225,7 +225,7 @@ impl Sheet<'_> {
         let (loads, line) =
             (u32::from(values.block_ram), values.memory.load_line.high - values.memory.load_line.low + 1);
         let signs = values.unit.signs.len() as u32;
-        let flip_flops = words + 233 + signs.min(1) + loads * (52 + 2 * line);
+        let flip_flops = words + 240 + signs.min(1) + loads * (53 + 2 * line);
         let luts = self.of([287, 313, 247]) + signs * self.of([2, 16, 2]) + loads * self.of([52, 105, 51]);
         self.entity("engine_command", flip_flops, &[], &[(1, 6), (loads, line + 1), (loads, 8)], luts)
     }
@@ -234,7 +234,7 @@ impl Sheet<'_> {
     fn control(&self) -> Entity {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
-        let flip_flops = 9 * 32 + lanes * (24 + 5 + 8) + 4 * lane_bits + 16 + 4 * axi;
+        let flip_flops = 9 * 32 + lanes * (24 + 5 + 12) + 4 * lane_bits + 18 + 11 * axi;
         let luts = self.of([204, 250, 104]) + lanes * self.of([165, 130, 122]) + self.chosen(24 + 5);
         // What caches have is compared with what a query is about.
         let luts = luts + axi * self.of([176, 223, 245]);
@@ -247,12 +247,13 @@ impl Sheet<'_> {
         let (lanes, format) = (self.design.params.queries, &self.design.format);
         let (entries, rows) = (9 * format.origin_bits, format.k() * self.values.query.row_bits);
         let (shift, errors) = (3 * format.widths().translation.bits(), 3 * format.shift_error_bits());
-        let in_place = [5 * 64, entries, shift, errors, rows].map(|bits| (InPlace, ROWS, bits));
-        let apart = [64, 64, 4 * 32, 64 * format.pose_words].map(|bits| (Apart, ROWS, bits));
+        let in_place = [entries, shift, errors, rows].map(|bits| (InPlace, ROWS, bits));
+        let apart = [64, 64, 64 * format.pose_words].map(|bits| (Apart, ROWS, bits));
+        let registered = [5 * 64, 4 * 32].map(|bits| (RegisteredInPlace, ROWS, bits));
         // Of the longest entries Yosys makes trees of the ECP5's wide multiplexers.
         let trees = if format.origin_bits > 16 { self.of([0, 8 * entries, 0]) } else { 0 };
         let luts = self.of([250, 300, 235]) + trees;
-        self.entity("engine_queries", 3 * lanes, &[in_place.as_slice(), &apart].concat(), &[], luts)
+        self.entity("engine_queries", 3 * lanes, &[in_place.as_slice(), &apart, &registered].concat(), &[], luts)
     }
 
     /// For each lane room of both kinds, pairs in flight and expansions that are left; places in flight, and both queues of
@@ -267,12 +268,15 @@ impl Sheet<'_> {
         let single = self.fabric.memory_cell.1 == 1;
         let read = |used: u32, stored: u32| if single { used } else { stored };
         let (met, family) = (read(entry - 4, entry), read(4 * 29, 4 * 30));
-        let record = read(entry + 4 * child, entry + 124);
-        let of_lanes = lanes * (t.room_bits + t.pair_room_bits + flight + 37);
-        let issue = 2 * node + 2 * lane + 8 + 6 * flight;
-        let blocks = 3 * lane + 19 + met + family + lane + 7;
+        // Whole cells that nobody reads are left out, too.
+        let (cell, unread) = (self.fabric.memory_cell.1, 31 - child);
+        let whole = (unread + 1).saturating_sub(cell) / cell * cell;
+        let record = read(entry + 4 * child, entry + 124 - 4 * whole);
+        let of_lanes = lanes * (t.room_bits + t.pair_room_bits + flight + 58);
+        let issue = 2 * node + 3 * lane + 12 + 6 * flight + t.stack_bits + 1;
+        let blocks = 3 * lane + 18 + met + family + lane + 7;
         let queues = 2 * (3 * flight + 1) + lane + 116;
-        let pushed = 3 * lane + 13 + (entry - 4) + 4 * child + 2 * child + 2 * node + level;
+        let pushed = 3 * lane + 17 + (entry - 4) + 4 * child + 2 * child + 2 * node + level;
         let memory = |bits: u32| (Apart, t.flight_places, bits);
         let memories = [entry, met, lane, lane, read(128, 132), record, lane, 116, lane].map(memory);
         let sums = self.of([3, 2, 3]) * lanes;
@@ -312,14 +316,14 @@ impl Sheet<'_> {
         let compares = self.of([1, 7, 1]);
         let chains = [(1, place + 1), (2, place), (1, place * compares / 2 + 1)];
         let memory = (RegisteredInPlace, places, entry);
-        self.entity("engine_stack", 3 * entry + 4 * place + 4, &[memory], &chains, luts)
+        self.entity("engine_stack", 3 * entry + 4 * place + 6, &[memory], &chains, luts)
     }
 
     /// For each lane the places of its queue, and the pairs that are asked for and not answered.
     fn pairs(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, place, open) = (params.queries, t.pair_bits, t.open_bits);
-        let flip_flops = lanes * (3 * place + open + 4) + 2 * params.lane_bits() + 2 * open + 3;
+        let flip_flops = lanes * (3 * place + open + 8) + 2 * params.lane_bits() + 2 * open + 4;
         let luts = self.of([2, 63, 17])
             + lanes * (place + 2 * open + self.of([37, 30, 29]))
             + 5 * open

@@ -39,6 +39,8 @@ pub(crate) struct Lines {
     pub place: Bits,
     pub number: Bits,
     pub word: Bits,
+    /// Lines are taken so seldom that one need not follow another at once: whether one is taken is known late in a clock.
+    pub paced: bool,
     pub line_bits: u32,
     pub line_address_bits: u32,
     pub number_bits: u32,
@@ -141,6 +143,8 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         let bits = LONGEST.min(tag_bits - low);
         TagPart { tag: Bits::new(low, bits), address: Bits::new(line_address_bits + low, bits) }
     };
+    // Of triangles the memory hears a clock late that they are taken.
+    let paced = if triangles { design.unit.interval > 2 } else { params.expansion_clocks > 1 };
     Lines {
         entity,
         what,
@@ -149,6 +153,7 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         place: Bits::all(line_address_bits),
         number: Bits::all(number_bits),
         word: Bits::all(word_bits),
+        paced,
         line_bits,
         line_address_bits,
         number_bits,
