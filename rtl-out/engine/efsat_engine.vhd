@@ -15,7 +15,16 @@
 --          34 leaf pairs only, no triangle test; 35 keep the caches; 63..40 number that the report returns
 --   6      errors of the shift 15..0, 31..16, 47..32
 --   7 ...  pose, as in packets of the stream wrapper; then a row for each direction
--- Out: for each query one packet: pairs that are not separate, then a report of eight words.
+-- A stop and a soft reset are one word: header 16#4410a005# or 16#4410a006# in 31..0, a number in 63..40.
+--
+-- Out: for each query one packet: pairs that are not separate, A's number in 35..8, B's in 63..36, the verdict in 1..0, then
+-- a report of eight words, two counts in each, the first one in 31..0:
+--   0      1..0 = 11, 6..2 reason, 7 incomplete, 31..8 the query's number; clocks in 63..32
+--   1, 2   expansions, tests; survivors, leaf pairs
+--   3      pairs that intersect, pairs that are possibly incorrect
+--   4, 5   blocks, triangles: asked for, read from memory
+--   6      words read; clocks in which the volume unit waited for memory
+--   7      clocks in which survivors waited for the queue of leaf pairs; greatest stack
 --
 -- Between queries also packets of pairs and poses, in and out as by a stream wrapper of 64-bit words and 16-bit tags:
 -- headers 16#4410a001# and 16#4410a002#. The pose of a packet or of a query holds until the next one.

@@ -26,7 +26,7 @@ use crate::design::volume_unit::VolumeDesign;
 use crate::format::EngineFormat;
 use crate::host::{Image, TRIANGLES_AT};
 use crate::params::{EngineParams, Memory, MemoryPorts, OFFSET_BITS};
-use crate::words::{EngineReport, LINK_NUMBER_BITS};
+use crate::words::{self, EngineReport, LINK_NUMBER_BITS};
 use askama::Template;
 use efsat_hardware::netlist::Module;
 use efsat_hardware::vhdl::Clash;
@@ -375,7 +375,20 @@ fn description(design: &EngineDesign) -> Vec<String> {
             .to_owned(),
         "  6      errors of the shift 15..0, 31..16, 47..32".to_owned(),
         "  7 ...  pose, as in packets of the stream wrapper; then a row for each direction".to_owned(),
-        "Out: for each query one packet: pairs that are not separate, then a report of eight words.".to_owned(),
+        format!(
+            "A stop and a soft reset are one word: header 16#{:08x}# or 16#{:08x}# in 31..0, a number in 63..40.",
+            format.header(words::Command::Stop),
+            format.header(words::Command::Reset)
+        ),
+        String::new(),
+        "Out: for each query one packet: pairs that are not separate, A's number in 35..8, B's in 63..36, the verdict in 1..0, then".to_owned(),
+        "a report of eight words, two counts in each, the first one in 31..0:".to_owned(),
+        "  0      1..0 = 11, 6..2 reason, 7 incomplete, 31..8 the query's number; clocks in 63..32".to_owned(),
+        "  1, 2   expansions, tests; survivors, leaf pairs".to_owned(),
+        "  3      pairs that intersect, pairs that are possibly incorrect".to_owned(),
+        "  4, 5   blocks, triangles: asked for, read from memory".to_owned(),
+        "  6      words read; clocks in which the volume unit waited for memory".to_owned(),
+        "  7      clocks in which survivors waited for the queue of leaf pairs; greatest stack".to_owned(),
         String::new(),
         "Between queries also packets of pairs and poses, in and out as by a stream wrapper of 64-bit words and 16-bit tags:"
             .to_owned(),
