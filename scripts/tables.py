@@ -286,7 +286,7 @@ def distances():
     return table(["<distance", "queries", *series], ([place, queries[place], *(time(place, name) for name in series)] for place in shown))
 
 
-def engine(scene, options):
+def simulated(scene, options):
     """A simulation of queries, whose answers and counts are those of the reference model."""
     found = ask(f"cosim --engine --scene {scene} {options}")
     assert found.mismatches == 0 and found.answered_in_software == 0, found
@@ -321,7 +321,7 @@ def tori():
     scene.write_text("name = 'rings'\na.mesh = 'a.obj'\nb.mesh = 'b.obj'\n[[pose]]\ntranslation = [0.9, 0.1, 0.05]\n")
 
     keys = ("expansions", "leaf_pairs", "intersect", "possibly_incorrect", "clocks")
-    found = {name: engine(scene, options) for name, options in engines().items()}
+    found = {name: simulated(scene, options) for name, options in engines().items()}
     head = ["<engine", "expansions", "leaf pairs", "intersect", "possibly incorrect", "clocks", "volume unit busy", "triangle unit busy", "bus busy"]
     return table(head, ([n, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
 
