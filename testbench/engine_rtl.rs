@@ -220,6 +220,13 @@ fn pairs_and_poses_come_in_turn_with_queries() {
     vectors.pairs(&pairs[16..19]);
     vectors.unusual_pairs(&pairs[20], &segments[1].0);
     vectors.pairs(&pairs[20..23]);
+    // In every lane a query has ended at a contact.
+    for _ in 0..bench.design.params.queries {
+        vectors.query(&Query { first_contact: true, ..query.clone() });
+    }
+    vectors.pose(&segments[0].0);
+    vectors.pairs(&pairs[..16]);
+    vectors.query(&query);
     let passes = if full() { "-gpasses=2" } else { "-gpasses=1" };
     bench.passes(vectors.text(), &["-glatency_least=2", "-glatency_most=20", passes]);
     let changes = [
@@ -234,6 +241,7 @@ fn pairs_and_poses_come_in_turn_with_queries() {
             "separate_too <= option_separate_too or not running;",
             "separate_too <= option_separate_too;",
         ),
+        ("efsat_engine.vhd", "ends_at_contact <= stop_at_contact and running;", "ends_at_contact <= stop_at_contact;"),
         // A pose is taken before it is in its place; one that goes on is taken.
         ("engine_command.vhd", "if place = query_words - 2 then", "if place = query_words - 3 then"),
         (

@@ -117,6 +117,7 @@ architecture rtl of efsat_engine is
   signal triangle_count_a : std_logic_vector(31 downto 0);
   signal triangle_count_b : std_logic_vector(31 downto 0);
   signal stop_at_contact : std_logic;
+  signal ends_at_contact : std_logic;
   signal option_separate_too : std_logic;
   signal separate_too : std_logic;
   signal leaves_of : std_logic_vector(lanes - 1 downto 0);
@@ -370,7 +371,9 @@ begin
     );
   pose_words <= pose;
   leaves_only <= leaves_of(to_integer(unsigned(front)));
+  -- Of packets of pairs all are answered: what the options of the last query in the lane were means nothing.
   separate_too <= option_separate_too or not running;
+  ends_at_contact <= stop_at_contact and running;
 
   -- ===== Volumes =====
   traverse : entity work.engine_traverse
@@ -493,8 +496,8 @@ begin
   passes_them <= triangles_there and testable and leaves_only and not drops;
   unit_valid <= tests_them or packet_valid;
   bypass_valid <= passes_them;
-  -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs nothing, because the unit does
-  -- not take the next pair at once.
+  -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs a pair nothing, because
+  -- the unit does not take the next one at once.
   triangles_there <= triangles_valid and not triangles_taken;
 
   send : process (aclk)
@@ -596,7 +599,7 @@ begin
       outside => decided_outside,
       dropping => dropping,
       separate_too => separate_too,
-      stop_at_contact => stop_at_contact,
+      stop_at_contact => ends_at_contact,
       pair_answered => pair_answered,
       contact => contact,
       report_due => report_due,

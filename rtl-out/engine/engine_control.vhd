@@ -53,7 +53,7 @@ entity engine_control is
     abort : out std_logic;  -- one clock long: all work is forgotten after a memory error
     retire : out std_logic;  -- one clock long: the oldest query is done
     -- How it goes.
-    idle : in std_logic_vector(lanes - 1 downto 0);  -- nothing is to be done any more
+    idle : in std_logic_vector(lanes - 1 downto 0);  -- nothing was to be done any more, a clock ago
     contact : in std_logic;  -- of the oldest query
     limit_reached : in std_logic_vector(lanes - 1 downto 0);
     bad_tree : in std_logic_vector(lanes - 1 downto 0);
@@ -104,7 +104,7 @@ architecture rtl of engine_control is
   signal phase : phase_state := waiting_state;
   signal taken : std_logic := '0';
   signal all_idle : std_logic;  -- a clock ago: a pair of a packet ends it two clocks before a job can come behind that
-  signal taken_before : std_logic := '0';
+  signal idle_is_old : std_logic := '0';  -- a job was taken or the oldest query reported in the clock before: idle is of that clock
   signal job_due : std_logic;
   signal admits : std_logic;  -- a query is to be checked
   signal checks : unsigned(1 downto 0) := "00";
@@ -275,7 +275,7 @@ begin
       old := to_integer(oldest_lane);
       started_pulse <= '0';
       started_lane <= admitted_lane;
-      taken_before <= taken;
+      idle_is_old <= taken or (reporting and report_done);
       reads_before <= reads;
       error_before <= memory_error;
       silent_before <= memory_silent;
@@ -436,7 +436,7 @@ begin
             end if;
           end loop;
           aborting <= '1';
-        elsif idle(old) = '1' and started_pulse = '0' and taken_before = '0' then
+        elsif idle(old) = '1' and started_pulse = '0' and idle_is_old = '0' then
           -- What has just begun was idle a clock ago.
           now_reporting := '1';
         end if;

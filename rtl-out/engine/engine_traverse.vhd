@@ -19,7 +19,8 @@
 -- pairs in flight sends four: so none waits for that queue in front of the oldest query's. And it pops only while few pairs
 -- wait for their blocks, so that those of the oldest do not wait behind many.
 --
--- A lane is chosen in one clock and its pair popped in a later one, and what frees room is counted a clock late. Meanwhile
+-- A lane is chosen in one clock and its pair popped in a later one, and what frees room is counted a clock late. How many fly is
+-- looked at when it is chosen: an answer in between may make two records of one pair, each of which has its place. Meanwhile
 -- used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted, while a record has sent three of its four: so a
 -- lane is chosen only if there are 3 places more than the rule asks for. Right behind a pop of its own a lane is chosen only if
 -- there is plenty.
@@ -130,7 +131,7 @@ architecture rtl of engine_traverse is
   signal lane_flying : lane_flights := (others => (others => '0'));
   signal nothing_flies : flags := (others => '1');  -- of the lane
   signal flying : unsigned(flight_bits + 1 downto 0) := (others => '0');  -- of all lanes
-  signal all_fly : std_logic := '0';  -- flying = in_flight
+  signal all_fly : std_logic := '0';  -- flying >= in_flight
   signal nearly_all_fly : std_logic := '0';  -- but for one
   signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit
   signal crowded : std_logic := '0';  -- so many that a younger query waits

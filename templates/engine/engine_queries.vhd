@@ -24,7 +24,7 @@ entity {{ prefix }}engine_queries is
     job_query : in std_logic;
     retire : in std_logic;  -- the oldest is done
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
-    -- The first words of a query, for control, which reads none while it takes a job.
+    -- The first words of a query, for control, a clock later; they mean nothing in the clock after one is stored.
     checked_lane : in std_logic_vector(lane_bits - 1 downto 0);
     checked : out std_logic_vector(head_bits - 1 downto 0);
     -- Where the blocks are that the traversal asks for, and how many blocks and triangles the trees of the volume lane have, a clock

@@ -496,7 +496,7 @@ fn jobs_are_checked_and_run_and_reported() {
         ("moved(4) <= not known or not", "moved(4) <= not"),
         // What has just begun is done.
         ("idle(old) = '1' and started_pulse = '0' and", "idle(old) = '1' and"),
-        ("started_pulse = '0' and taken_before = '0' then", "started_pulse = '0' then"),
+        ("started_pulse = '0' and idle_is_old = '0' then", "started_pulse = '0' then"),
         ("if admitted_lane = oldest_lane then", "if admitted_lane = admitted_lane then"),
         // A stop is for whatever runs, for all of a number, or for nobody who waits; a contact for all.
         ("elsif numbers(lane) = stop_number then", "else"),
