@@ -17,7 +17,7 @@ use efsat::engine::model::{Model, Query};
 use efsat::engine::params::{EngineParams, Memory};
 use efsat::engine::words::{EngineReport, Reason};
 use efsat::mesh::Mesh;
-use efsat::pair::Pair;
+use efsat::pair::{Pair, Pose};
 use efsat::params::{Guard, Method, Params, Upper};
 use efsat_hardware::tools::Tool;
 use nalgebra::Point3;
@@ -224,8 +224,10 @@ fn pairs_and_poses_come_in_turn_with_queries() {
     for _ in 0..bench.design.params.queries {
         vectors.query(&Query { first_contact: true, ..query.clone() });
     }
-    vectors.pose(&segments[0].0);
-    vectors.pairs(&pairs[..16]);
+    let unmoved = vectors.random_pairs(120, 3);
+    let unmoved: Vec<Pair> = unmoved.iter().flat_map(|(_, pairs)| pairs).copied().collect();
+    vectors.pose(&Pose::identity(&bench.design.unit.params));
+    vectors.pairs(&unmoved);
     vectors.query(&query);
     let passes = if full() { "-gpasses=2" } else { "-gpasses=1" };
     bench.passes(vectors.text(), &["-glatency_least=2", "-glatency_most=20", passes]);
@@ -246,8 +248,8 @@ fn pairs_and_poses_come_in_turn_with_queries() {
         ("engine_command.vhd", "if place = query_words - 2 then", "if place = query_words - 3 then"),
         (
             "engine_command.vhd",
-            "occupied <= head_last;\n                moving <= head_last;",
-            "occupied <= '1';\n                moving <= '1';",
+            "occupied <= head_last;\n              moving <= head_last;",
+            "occupied <= '1';\n              moving <= '1';",
         ),
         // A number that does not fit is taken.
         ("engine_command.vhd", "record_unfit <= record_unfit or word_unfit;", "record_unfit <= word_unfit;"),
