@@ -45,7 +45,7 @@ fn random_query(rng: &mut ChaCha8Rng, format: &EngineFormat, unit: &Params) -> Q
         terms: slots.map(|slot| (rng.random_range(0..slot.len() as u32), rng.random_range(0..1 << format.factor_bits))),
         rest: rng.random_range(0..1 << format.rest_bits()),
     };
-    let rows = (0..format.k()).map(|_| row()).collect();
+    let rows = (0..format.rows()).map(|_| row()).collect();
     // Images at addresses that can be moved.
     let mut side = || Side {
         blocks_at: rng.random_range(0..1 << 31),

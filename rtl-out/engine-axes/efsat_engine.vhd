@@ -7,14 +7,14 @@
 -- An expansion every 4 clocks, up to 16 in flight; the volume unit answers 15 clocks after it has taken one.
 -- Trees are in memory behind an AXI4 read master, words of 64 bits.
 --
--- In: packets of 64-bit words, the last with TLAST. A query has 32 words:
+-- In: packets of 64-bit words, the last with TLAST. A query has 23 words:
 --   0      header 31..0, format 63..32
 --   1, 2   blocks of A and B, triangles of A and B: addresses / 64
 --   3, 4   number of blocks of A and B, of triangles of A and B
 --   5      most expansions 31..0 (0: 2^32); 32 stop at the first certain contact; 33 answer separate pairs too;
 --          34 leaf pairs only, no triangle test; 35 keep the caches; 63..40 number that the report returns
 --   6      errors of the shift 15..0, 31..16, 47..32
---   7 ...  pose, as in packets of the stream wrapper; then a row for each direction
+--   7 ...  pose, as in packets of the stream wrapper; then a row for each two opposite directions
 -- A stop and a soft reset are one word: header 16#44102005# or 16#44102006# in 31..0, a number in 63..40.
 --
 -- Out: for each query one packet: pairs that are not separate, A's number in 35..8, B's in 63..36, the verdict in 1..0, then

@@ -9,7 +9,8 @@ use ieee.std_logic_1164.all;
 
 package efsat_engine_constants is
   -- The engine.
-  constant efsat_engine_directions : natural := 18;  -- directions of a volume, and rows of a query
+  constant efsat_engine_directions : natural := 18;  -- directions of a volume
+  constant efsat_engine_rows : natural := 9;  -- rows of a query, one for each two opposite directions
   constant efsat_engine_offset_bits : natural := 10;  -- bits of a code
   constant efsat_engine_origin_bits : natural := 18;  -- bits of a coordinate of an origin
   constant efsat_engine_factor_bits : natural := 12;  -- bits of a factor of a row
@@ -27,7 +28,7 @@ package efsat_engine_constants is
   constant efsat_engine_query_format : std_logic_vector(31 downto 0) := x"0024ca12";  -- high half, which says the formats below
   constant efsat_engine_stop_header : std_logic_vector(31 downto 0) := x"44102005";  -- the only word of a stop, without the number of its query
   constant efsat_engine_reset_header : std_logic_vector(31 downto 0) := x"44102006";  -- the only word of a soft reset, without the number for its report
-  constant efsat_engine_query_words : natural := 32;  -- words of a query
+  constant efsat_engine_query_words : natural := 23;  -- words of a query
   constant efsat_engine_triangles_word : natural := 4;  -- the word that says how many triangles the objects have
   constant efsat_engine_options_word : natural := 5;  -- the word that says what is asked for
 

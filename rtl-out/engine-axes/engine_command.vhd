@@ -5,14 +5,14 @@
 -- Packets in, words of 64 bits. The header is in the low 32 bits of the first word; its low byte is the kind of the packet:
 --   1  pairs of triangles for the unit alone: 10 words for each
 --   2  a pose for the pairs after it: 7 words
---   3  query: 32 words with the header; above it the first has
+--   3  query: 23 words with the header; above it the first has
 --      18 in bits 39..32, 10 in 43..40, 12 in 48..44, 18 in 53..49, and zeros
 --   5  stop: the header alone, with the number of a query in bits 63..40 and zeros below. Ends that query if it runs or waits, and
 --      has no answer of its own
 --   6  soft reset: the header alone, with a number for its report in the same place. Everything before it is forgotten
 -- Pairs go to the unit from here, while no query runs. Every other packet becomes a job: a query to run, a pose to be handed
 -- over, or a report to give; for kinds 1 and 2 the report is one word. One job waits here while another one runs; then words
--- stay in the stream, but for a stop and a soft reset. A soft reset by the port drops the packet of which a word was taken to its
+-- stay in the stream, but for a stop, a soft reset and the header of a query. A soft reset by the port drops the packet of which a word was taken to its
 -- end, without an answer.
 --
 -- The words of a query, of a pose and of a pair are shifted through one register. A pose is shifted on behind its last word, to
@@ -108,7 +108,8 @@ architecture rtl of engine_command is
   signal occupied : std_logic := '0';  -- a pair waits for the unit, or a pose moves to its place
   signal moving : std_logic := '0';  -- a pose does
   signal fault : std_logic_vector(4 downto 0) := fine;
-  signal waits : std_logic;
+  signal waits : std_logic;  -- the packet does
+  signal holds : std_logic;  -- the register has the words of a job that is not taken in this clock
   signal reset_taken : std_logic;  -- the word of a soft reset
   signal reset_now : std_logic := '0';  -- a clock later: control is busy from the next clock on
   signal clears : std_logic;
@@ -119,6 +120,7 @@ architecture rtl of engine_command is
   signal closing_fault : std_logic_vector(4 downto 0) := fine;
   signal closing_query : std_logic := '0';
   signal closing_short : std_logic := '0';
+  signal short_pending : std_logic := '0';
   signal pending : std_logic := '0';
   signal query_pending : std_logic := '0';
   signal posed_pending : std_logic := '0';
@@ -184,13 +186,15 @@ begin
   end process hold;
 
   -- ===== Packets =====
-  -- A packet begins when its job has a place to go, and pairs when everything before them is done.
-  waits <= pending or closing or reset_now or (busy and head_kind(is_pairs));
+  -- A packet begins when its job has a place to go, and pairs when everything before them is done. The header of a query goes
+  -- nowhere: its words wait for the register.
+  waits <= reset_now or ((pending or closing) and (head_last or not head_kind(is_query))) or (busy and head_kind(is_pairs));
   taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when expectation = header_state else
-    head_valid and not occupied;
+    head_valid and not occupied and not holds;
+  holds <= pending and not job_taken;
   reset_taken <= taken and head_kind(is_reset) when expectation = header_state else '0';
   clears <= reset or soft_reset or reset_taken;
-  shifts <= (head_valid and gathers) or moving;
+  shifts <= (head_valid and gathers and not holds) or moving;
   -- A word that is none, in front of the first one or between two, is not looked at.
   unfit <= '0' when head_valid = '0' else '1' when
     (at_options = '1' and head(39 downto 36) /= "0000") or
@@ -249,6 +253,7 @@ begin
         job_reason <= fine;
         query_pending <= '0';
         posed_pending <= '1';
+        short_pending <= '1';
       end if;
       if pair_taken = '1' then
         occupied <= '0';
@@ -358,6 +363,7 @@ begin
         pending <= '1';
         query_pending <= '0';
         posed_pending <= '0';
+        short_pending <= closing_short;
         job_reason <= closing_fault;
         if closing_fault = fine then
           query_pending <= closing_query;
@@ -390,7 +396,7 @@ begin
   job_words <= words;
   job_query <= query_pending;
   job_posed <= posed_pending;
-  job_short <= short;
+  job_short <= short_pending;
   pair_valid <= occupied and not moving;
   pair_last <= last_pair;
   job_number <= number when query_pending = '1' else (others => '0');

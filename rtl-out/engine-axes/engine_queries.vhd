@@ -134,15 +134,6 @@ begin
   new_rows(query_row_6) <= job_words(job_row_6);
   new_rows(query_row_7) <= job_words(job_row_7);
   new_rows(query_row_8) <= job_words(job_row_8);
-  new_rows(query_row_9) <= job_words(job_row_9);
-  new_rows(query_row_10) <= job_words(job_row_10);
-  new_rows(query_row_11) <= job_words(job_row_11);
-  new_rows(query_row_12) <= job_words(job_row_12);
-  new_rows(query_row_13) <= job_words(job_row_13);
-  new_rows(query_row_14) <= job_words(job_row_14);
-  new_rows(query_row_15) <= job_words(job_row_15);
-  new_rows(query_row_16) <= job_words(job_row_16);
-  new_rows(query_row_17) <= job_words(job_row_17);
   new_options <= job_words(job_options);
 
   keep : process (clk)

@@ -18,7 +18,7 @@ entity volume_path is
     query_pose  : in  signed_18_vector_x3_t;  -- s1.17; |.| <= 131071
     query_shift : in  signed_26_vector_t;  -- s4.22; |.| <= 16777216
     query_error : in  unsigned_16_vector_t;
-    query_row   : in  row_u13_x18_t;
+    query_row   : in  row_u13_x9_t;
     a_origin    : in  signed_18_vector_t;  -- s1.17; |.| <= 131072
     a_exponent  : in  unsigned(3 downto 0);
     a_code      : in  signed_10_x18_x2_t;  -- |.| <= 511
@@ -33,7 +33,7 @@ end entity volume_path;
 
 architecture rtl of volume_path is
   constant d_lane_m_select_at_0_table : numbers_t(0 to 3) := (1, 2, 0, 0);
-  constant b_chosen0_select_at_1_table : std_logic_vector(0 to 3) := "0101";
+  constant b_chosen0_select_at_1_table : numbers_t(0 to 3) := (0, 1, 2, 3);
   constant axis_bound_operand_select_at_2_table : std_logic_vector(0 to 3) := "1001";
   constant ceiling_table : numbers_t(0 to 15) := (2047, 1023, 511, 255, 127, 63, 31, 15, 7, 3, 1, 0, 0, 0, 0, 0);
   signal d_lane_m : signed_18_vector_t;  -- s1.17; |.| <= 131071
@@ -52,9 +52,9 @@ architecture rtl of volume_path is
   signal query_error_resized_h4 : signed_26_vector_t := zero_signed_26_vector;  -- s4.22; |.| <= 65535
   signal query_error_resized_h6 : signed_26_vector_t := zero_signed_26_vector;  -- s4.22; |.| <= 65535
   signal axis_bound : signed_27_x2_vector_t;  -- s5.22; |.| <= 33619871
-  signal b_code1_h2 : signed_10_x18_t := zero_signed_10_x18;  -- |.| <= 511
+  signal b_code1_h4 : signed_10_x18_t := zero_signed_10_x18;  -- |.| <= 511
   signal b_chosen : signed_10_x18_t;  -- |.| <= 511
-  signal b_chosen0_select_at_1 : std_logic := '0';
+  signal b_chosen0_select_at_1 : unsigned(1 downto 0) := (others => '0');
   signal axis_bound_x1_h2 : signed(26 downto 0) := (others => '0');  -- s5.22; |.| <= 33619839
   signal axis_bound_y_h2 : signed_27_x2_t := zero_signed_27_x2;  -- s5.22; |.| <= 33619871
   signal axis_bound_operand_select_at_2 : std_logic := '0';
@@ -63,34 +63,21 @@ architecture rtl of volume_path is
   signal axis_bound0_operand_d2 : signed_27_vector_t := zero_signed_27_vector;  -- s5.22; |.| <= 33619871
   signal bound : signed_28_x9_t;  -- s6.22; |.| <= 67239742
   signal bound4_operand_second_d1 : signed(26 downto 0) := (others => '0');  -- s5.22; |.| <= 33619871
-  signal query_row1_h4 : row_u13_t := zero_row_u13;
-  signal query_row3_h4 : row_u13_t := zero_row_u13;
-  signal query_row5_h4 : row_u13_t := zero_row_u13;
-  signal query_row7_h4 : row_u13_t := zero_row_u13;
-  signal query_row9_h4 : row_u13_t := zero_row_u13;
-  signal query_row11_h4 : row_u13_t := zero_row_u13;
-  signal query_row13_h4 : row_u13_t := zero_row_u13;
-  signal query_row15_h4 : row_u13_t := zero_row_u13;
-  signal query_row17_h4 : row_u13_t := zero_row_u13;
-  signal term0_choice : unsigned_3_x9_t;
-  signal term1_choice : unsigned_3_x9_t;
-  signal term2_choice : unsigned_3_x9_t;
+  signal query_row_held : row_u13_x9_t := zero_row_u13_x9;  -- from clocks 3, 4 on
   signal b_chosen_d1 : signed_10_x18_t := zero_signed_10_x18;  -- |.| <= 511
+  signal b_chosen_d2 : signed_10_x18_t := zero_signed_10_x18;  -- |.| <= 511
   signal term0 : signed_10_x9_t;  -- |.| <= 511
   signal term1 : signed_10_x9_t;  -- |.| <= 511
   signal term2 : signed_10_x9_t;  -- |.| <= 511
-  signal ceiling_h2 : unsigned(10 downto 0) := (others => '0');
+  signal ceiling_h3 : unsigned(10 downto 0) := (others => '0');
   signal term0_d1 : signed_10_x9_t := zero_signed_10_x9;  -- |.| <= 511
   signal term1_d1 : signed_10_x9_t := zero_signed_10_x9;  -- |.| <= 511
   signal term2_d1 : signed_10_x9_t := zero_signed_10_x9;  -- |.| <= 511
-  signal s_factors_d1 : unsigned_12_x3_x9_t := zero_unsigned_12_x3_x9;
-  signal s_rest_d1 : unsigned_13_x9_t := zero_unsigned_13_x9;
-  signal ceiling_h2_d1 : unsigned(10 downto 0) := (others => '0');
+  signal ceiling_h3_d1 : unsigned(10 downto 0) := (others => '0');
   signal s : signed_24_x9_t;  -- |.| <= 6287873
   signal b_exponent_h4 : unsigned(3 downto 0) := (others => '0');
   signal b_exponent_h7 : unsigned(3 downto 0) := (others => '0');
   signal s_d1 : signed_24_x9_t := zero_signed_24_x9;  -- |.| <= 6287873
-  signal s_d2 : signed_24_x9_t := zero_signed_24_x9;  -- |.| <= 6287873
   signal u : signed_28_x9_t;  -- s6.22; |.| <= 100605968
   signal a_code_h4 : signed_10_x18_x2_t := zero_signed_10_x18_x2;  -- |.| <= 511
   signal a_code0_h8 : signed_10_x2_t := zero_signed_10_x2;  -- |.| <= 511
@@ -120,9 +107,7 @@ architecture rtl of volume_path is
   signal survive3_and_h13 : std_logic := '0';
   signal busy_0 : std_logic;  -- set in the clock before a pair, and in clock 0 of one
   signal in_phase_0 : std_logic;
-  signal busy_2 : std_logic := '0';  -- set in clocks 1 to 4 of a pair
   signal busy_6 : std_logic := '0';  -- set in clocks 5 to 8 of a pair
-  signal busy_2_to_6 : std_logic;  -- a pair comes to clock 2, 6 or is in it
   signal term0_unit_codes : signed_10_x6_x9_t;
   signal term1_unit_codes : signed_10_x6_x9_t;
   signal term2_unit_codes : signed_10_x6_x9_t;
@@ -142,7 +127,6 @@ begin
   in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or in_phase_3;
   busy_0 <= holds(0) or in_phase_3;
   in_phase_0 <= flag(known(phase) = 0);
-  busy_2_to_6 <= busy_2 or busy_6;
 
   -- Clock 0
   d_lane_m <=
@@ -167,7 +151,96 @@ begin
       d_lane_o_a_d1 <= d_lane_o_a;
     end if;
   end process clock_1;
-  b_chosen <= b_code1_h2 when b_chosen0_select_at_1 = '1' else b_code(0);
+  b_chosen(0) <=
+    b_code(0)(0) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(0) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(1) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(1);
+  b_chosen(1) <=
+    b_code(0)(1) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(1) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(0) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(0);
+  b_chosen(2) <=
+    b_code(0)(2) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(2) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(3) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(3);
+  b_chosen(3) <=
+    b_code(0)(3) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(3) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(2) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(2);
+  b_chosen(4) <=
+    b_code(0)(4) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(4) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(5) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(5);
+  b_chosen(5) <=
+    b_code(0)(5) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(5) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(4) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(4);
+  b_chosen(6) <=
+    b_code(0)(6) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(6) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(7) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(7);
+  b_chosen(7) <=
+    b_code(0)(7) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(7) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(6) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(6);
+  b_chosen(8) <=
+    b_code(0)(8) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(8) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(9) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(9);
+  b_chosen(9) <=
+    b_code(0)(9) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(9) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(8) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(8);
+  b_chosen(10) <=
+    b_code(0)(10) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(10) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(11) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(11);
+  b_chosen(11) <=
+    b_code(0)(11) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(11) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(10) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(10);
+  b_chosen(12) <=
+    b_code(0)(12) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(12) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(13) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(13);
+  b_chosen(13) <=
+    b_code(0)(13) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(13) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(12) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(12);
+  b_chosen(14) <=
+    b_code(0)(14) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(14) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(15) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(15);
+  b_chosen(15) <=
+    b_code(0)(15) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(15) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(14) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(14);
+  b_chosen(16) <=
+    b_code(0)(16) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(16) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(17) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(17);
+  b_chosen(17) <=
+    b_code(0)(17) when known(b_chosen0_select_at_1) = 0 else
+    b_code(1)(17) when known(b_chosen0_select_at_1) = 1 else
+    b_code(0)(16) when known(b_chosen0_select_at_1) = 2 else
+    b_code1_h4(16);
   d_lane_unit : entity work.volume_origin_row
     port map (clk => clk, m => d_lane_m_d1, t => d_lane_t_d1, o_b => b_origin_h1, o_a => d_lane_o_a_d1, d => d_lane);
 
@@ -178,125 +251,52 @@ begin
       b_chosen_d1 <= b_chosen;
     end if;
   end process clock_2;
-  term0_choice(0) <= query_row1_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(0).choice(0);
-  term0_choice(1) <= query_row3_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(2).choice(0);
-  term0_choice(2) <= query_row5_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(4).choice(0);
-  term0_choice(3) <= query_row7_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(6).choice(0);
-  term0_choice(4) <= query_row9_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(8).choice(0);
-  term0_choice(5) <= query_row11_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(10).choice(0);
-  term0_choice(6) <= query_row13_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(12).choice(0);
-  term0_choice(7) <= query_row15_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(14).choice(0);
-  term0_choice(8) <= query_row17_h4.choice(0) when axis_bound_operand_select_at_2 = '1' else query_row(16).choice(0);
-  term1_choice(0) <= query_row1_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(0).choice(1);
-  term1_choice(1) <= query_row3_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(2).choice(1);
-  term1_choice(2) <= query_row5_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(4).choice(1);
-  term1_choice(3) <= query_row7_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(6).choice(1);
-  term1_choice(4) <= query_row9_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(8).choice(1);
-  term1_choice(5) <= query_row11_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(10).choice(1);
-  term1_choice(6) <= query_row13_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(12).choice(1);
-  term1_choice(7) <= query_row15_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(14).choice(1);
-  term1_choice(8) <= query_row17_h4.choice(1) when axis_bound_operand_select_at_2 = '1' else query_row(16).choice(1);
-  term2_choice(0) <= query_row1_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(0).choice(2);
-  term2_choice(1) <= query_row3_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(2).choice(2);
-  term2_choice(2) <= query_row5_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(4).choice(2);
-  term2_choice(3) <= query_row7_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(6).choice(2);
-  term2_choice(4) <= query_row9_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(8).choice(2);
-  term2_choice(5) <= query_row11_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(10).choice(2);
-  term2_choice(6) <= query_row13_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(12).choice(2);
-  term2_choice(7) <= query_row15_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(14).choice(2);
-  term2_choice(8) <= query_row17_h4.choice(2) when axis_bound_operand_select_at_2 = '1' else query_row(16).choice(2);
-  term0_unit_codes_0_each : for k in 0 to 8 generate
-    term0_unit_codes(k)(0) <= b_chosen_d1(0);
-    term0_unit_codes(k)(1) <= b_chosen_d1(1);
-    term0_unit_codes_each : for m in 2 to 5 generate
-      term0_unit_codes(k)(m) <= b_chosen_d1(m + 12);
-    end generate term0_unit_codes_each;
-    term1_unit_codes(k)(0) <= b_chosen_d1(2);
-    term1_unit_codes(k)(1) <= b_chosen_d1(3);
-    term1_unit_codes_each : for m in 2 to 5 generate
-      term1_unit_codes(k)(m) <= b_chosen_d1(m + 8);
-    end generate term1_unit_codes_each;
-    term2_unit_codes_each : for m in 0 to 5 generate
-      term2_unit_codes(k)(m) <= b_chosen_d1(m + 4);
-    end generate term2_unit_codes_each;
-  end generate term0_unit_codes_0_each;
-  term0_unit : for k in 0 to 8 generate
-    unit : entity work.volume_select_code_6
-      port map (codes => term0_unit_codes(k), choice => term0_choice(k), code => term0(k));
-  end generate term0_unit;
-  term1_unit : for k in 0 to 8 generate
-    unit : entity work.volume_select_code_6
-      port map (codes => term1_unit_codes(k), choice => term1_choice(k), code => term1(k));
-  end generate term1_unit;
-  term2_unit : for k in 0 to 8 generate
-    unit : entity work.volume_select_code_6
-      port map (codes => term2_unit_codes(k), choice => term2_choice(k), code => term2(k));
-  end generate term2_unit;
 
   -- Clock 3
   clock_3 : process (clk)
   begin
     if rising_edge(clk) then
+      b_chosen_d2 <= b_chosen_d1;
+    end if;
+  end process clock_3;
+  term0_unit_codes_0_each : for k in 0 to 8 generate
+    term0_unit_codes(k)(0) <= b_chosen_d2(0);
+    term0_unit_codes(k)(1) <= b_chosen_d2(1);
+    term0_unit_codes_each : for m in 2 to 5 generate
+      term0_unit_codes(k)(m) <= b_chosen_d2(m + 12);
+    end generate term0_unit_codes_each;
+    term1_unit_codes(k)(0) <= b_chosen_d2(2);
+    term1_unit_codes(k)(1) <= b_chosen_d2(3);
+    term1_unit_codes_each : for m in 2 to 5 generate
+      term1_unit_codes(k)(m) <= b_chosen_d2(m + 8);
+    end generate term1_unit_codes_each;
+    term2_unit_codes_each : for m in 0 to 5 generate
+      term2_unit_codes(k)(m) <= b_chosen_d2(m + 4);
+    end generate term2_unit_codes_each;
+  end generate term0_unit_codes_0_each;
+  term0_unit : for k in 0 to 8 generate
+    unit : entity work.volume_select_code_6
+      port map (codes => term0_unit_codes(k), choice => query_row_held(k).choice(0), code => term0(k));
+  end generate term0_unit;
+  term1_unit : for k in 0 to 8 generate
+    unit : entity work.volume_select_code_6
+      port map (codes => term1_unit_codes(k), choice => query_row_held(k).choice(1), code => term1(k));
+  end generate term1_unit;
+  term2_unit : for k in 0 to 8 generate
+    unit : entity work.volume_select_code_6
+      port map (codes => term2_unit_codes(k), choice => query_row_held(k).choice(2), code => term2(k));
+  end generate term2_unit;
+
+  -- Clock 4
+  clock_4 : process (clk)
+  begin
+    if rising_edge(clk) then
       term0_d1 <= term0;
       term1_d1 <= term1;
       term2_d1 <= term2;
-      if axis_bound_operand_select_at_2 = '1' then
-        s_factors_d1(0) <= query_row1_h4.factor;
-      else
-        s_factors_d1(0) <= query_row(0).factor;
-      end if;
-      if axis_bound_operand_select_at_2 = '1' then
-        s_factors_d1(1) <= query_row3_h4.factor;
-      else
-        s_factors_d1(1) <= query_row(2).factor;
-      end if;
-      if axis_bound_operand_select_at_2 = '1' then
-        s_factors_d1(2) <= query_row5_h4.factor;
-      else
-        s_factors_d1(2) <= query_row(4).factor;
-      end if;
-      if axis_bound_operand_select_at_2 = '1' then
-        s_factors_d1(3) <= query_row7_h4.factor;
-      else
-        s_factors_d1(3) <= query_row(6).factor;
-      end if;
-      if axis_bound_operand_select_at_2 = '1' then
-        s_factors_d1(4) <= query_row9_h4.factor;
-      else
-        s_factors_d1(4) <= query_row(8).factor;
-      end if;
-      if axis_bound_operand_select_at_2 = '1' then
-        s_factors_d1(5) <= query_row11_h4.factor;
-      else
-        s_factors_d1(5) <= query_row(10).factor;
-      end if;
-      if axis_bound_operand_select_at_2 = '1' then
-        s_factors_d1(6) <= query_row13_h4.factor;
-      else
-        s_factors_d1(6) <= query_row(12).factor;
-      end if;
-      if axis_bound_operand_select_at_2 = '1' then
-        s_factors_d1(7) <= query_row15_h4.factor;
-      else
-        s_factors_d1(7) <= query_row(14).factor;
-      end if;
-      if axis_bound_operand_select_at_2 = '1' then
-        s_factors_d1(8) <= query_row17_h4.factor;
-      else
-        s_factors_d1(8) <= query_row(16).factor;
-      end if;
-      s_rest_d1(0) <= choose(axis_bound_operand_select_at_2, query_row1_h4.rest, query_row(0).rest);
-      s_rest_d1(1) <= choose(axis_bound_operand_select_at_2, query_row3_h4.rest, query_row(2).rest);
-      s_rest_d1(2) <= choose(axis_bound_operand_select_at_2, query_row5_h4.rest, query_row(4).rest);
-      s_rest_d1(3) <= choose(axis_bound_operand_select_at_2, query_row7_h4.rest, query_row(6).rest);
-      s_rest_d1(4) <= choose(axis_bound_operand_select_at_2, query_row9_h4.rest, query_row(8).rest);
-      s_rest_d1(5) <= choose(axis_bound_operand_select_at_2, query_row11_h4.rest, query_row(10).rest);
-      s_rest_d1(6) <= choose(axis_bound_operand_select_at_2, query_row13_h4.rest, query_row(12).rest);
-      s_rest_d1(7) <= choose(axis_bound_operand_select_at_2, query_row15_h4.rest, query_row(14).rest);
-      s_rest_d1(8) <= choose(axis_bound_operand_select_at_2, query_row17_h4.rest, query_row(16).rest);
-      ceiling_h2_d1 <= ceiling_h2;
+      ceiling_h3_d1 <= ceiling_h3;
     end if;
-  end process clock_3;
+  end process clock_4;
   s_unit_codes_0_each : for k in 0 to 8 generate
     s_unit_codes(k)(0) <= term0_d1(k);
     s_unit_codes(k)(1) <= term1_d1(k);
@@ -304,17 +304,11 @@ begin
   end generate s_unit_codes_0_each;
   s_unit : for k in 0 to 8 generate
     unit : entity work.volume_row_sum
-      port map (clk => clk, codes => s_unit_codes(k), factors => s_factors_d1(k), rest => s_rest_d1(k),
-                ceiling => ceiling_h2_d1, s => s(k));
+      port map (clk => clk, codes => s_unit_codes(k), factors => query_row_held(k).factor,
+                rest => query_row_held(k).rest, ceiling => ceiling_h3_d1, s => s(k));
   end generate s_unit;
 
   -- Clock 6
-  clock_6 : process (clk)
-  begin
-    if rising_edge(clk) then
-      s_d1 <= s;
-    end if;
-  end process clock_6;
   axis_bound_0_each : for i in 0 to 2 generate
     axis_bound(i)(0) <= resize(query_error_resized_h6(i), 27) + resize(d(i), 27);
     axis_bound(i)(1) <= resize(query_error_resized_h6(i), 27) - resize(d(i), 27);
@@ -337,7 +331,7 @@ begin
       else
         bound4_operand_second_d1 <= axis_bound(1)(1);
       end if;
-      s_d2 <= s_d1;
+      s_d1 <= s;
       for m in 0 to 1 loop
         v_x_d1(0)(m) <= choose(axis_bound_operand_select_at_2, a_code0_h8(m), a_code_h4(m)(1));
         v_x_d1(1)(m) <= choose(axis_bound_operand_select_at_2, a_code2_h8(m), a_code_h4(m)(3));
@@ -359,7 +353,7 @@ begin
   bound(8) <= resize(axis_bound0_operand_d1(1), 28) + resize(axis_bound1_z_operand_d1, 28);
   u_unit : for k in 0 to 8 generate
     unit : entity work.volume_align_sum
-      port map (x => s_d2(k), exponent => b_exponent_h7, aligned => u(k));
+      port map (x => s_d1(k), exponent => b_exponent_h7, aligned => u(k));
   end generate u_unit;
   v_unit_of : for k in 0 to 8 generate
     v_unit : for m in 0 to 1 generate
@@ -430,9 +424,9 @@ begin
         d_lane_m_select_at_0 <= to_unsigned(d_lane_m_select_at_0_table(to_integer(known(phase))), 2);
       end if;
       if holds(0) = '1' then
-        b_chosen0_select_at_1 <= b_chosen0_select_at_1_table(to_integer(known(phase)));
+        b_chosen0_select_at_1 <= to_unsigned(b_chosen0_select_at_1_table(to_integer(known(phase))), 2);
       end if;
-      if busy_2_to_6 = '1' then
+      if busy_6 = '1' then
         axis_bound_operand_select_at_2 <= axis_bound_operand_select_at_2_table(to_integer(known(phase)));
       end if;
     end if;
@@ -456,17 +450,9 @@ begin
         for i in 0 to 2 loop
           query_error_resized_h4(i) <= signed(resize(query_error(i), 26));
         end loop;
+        b_code1_h4 <= b_code(1);
         axis_bound_x1_h2 <= axis_bound(0)(1);
         axis_bound_y_h2 <= axis_bound(1);
-        query_row1_h4 <= query_row(1);
-        query_row3_h4 <= query_row(3);
-        query_row5_h4 <= query_row(5);
-        query_row7_h4 <= query_row(7);
-        query_row9_h4 <= query_row(9);
-        query_row11_h4 <= query_row(11);
-        query_row13_h4 <= query_row(13);
-        query_row15_h4 <= query_row(15);
-        query_row17_h4 <= query_row(17);
         b_exponent_h4 <= b_exponent;
         a_code_h4 <= a_code;
         for k in 0 to 1 loop
@@ -489,10 +475,18 @@ begin
       end if;
       if strobe(1) = '1' then
         query_error_resized_h6 <= query_error_resized_h4;
-        b_code1_h2 <= b_code(1);
-        ceiling_h2 <= to_unsigned(ceiling_table(to_integer(known(b_exponent))), 11);
       end if;
+      for k in 0 to 8 loop
+        if strobe(2) = '1' then
+          query_row_held(k).choice <= query_row(k).choice;
+        end if;
+        if strobe(3) = '1' then
+          query_row_held(k).factor <= query_row(k).factor;
+          query_row_held(k).rest <= query_row(k).rest;
+        end if;
+      end loop;
       if strobe(2) = '1' then
+        ceiling_h3 <= to_unsigned(ceiling_table(to_integer(known(b_exponent))), 11);
         b_exponent_h7 <= b_exponent_h4;
         a_exponent_h7 <= a_exponent_h4;
       end if;
@@ -507,7 +501,6 @@ begin
         end loop;
       end loop;
       if in_phase_0 = '1' then
-        busy_2 <= holds(0);
         busy_6 <= holds(1);
       end if;
     end if;

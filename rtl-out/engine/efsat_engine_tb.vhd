@@ -47,7 +47,7 @@ entity efsat_engine_tb is
 end entity efsat_engine_tb;
 
 architecture simulation of efsat_engine_tb is
-  constant formats : string := "efsat vectors 1: determinants input s4.28 transform on width 18 span 1 levels 6 bound moments boxes on guard query 0024ca124410a003 words 32 memory axi";
+  constant formats : string := "efsat vectors 1: determinants input s4.28 transform on width 18 span 1 levels 6 bound moments boxes on guard query 0024ca124410a003 words 23 memory axi";
   constant most_pairs : natural := 65536;  -- of a packet
   subtype word_64 is std_logic_vector(63 downto 0);
   type words_64 is array (natural range <>) of word_64;

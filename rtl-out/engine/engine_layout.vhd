@@ -30,14 +30,14 @@ package engine_layout is
   subtype entry_node_a is natural range 57 downto 34;
 
   -- Packets in: words counted from the header, which is word 0.
-  constant query_words : natural := 32;  -- words of a query
+  constant query_words : natural := 23;  -- words of a query
   constant options_word : natural := 5;  -- the word with the options of a query
   constant pose_word : natural := 7;  -- first word of its pose
   constant row_word : natural := 14;  -- first row; a pose and a pair are shifted to end before it, too
   constant pair_words : natural := 10;  -- words of a pair
 
   -- The words of a job: those of a query from word 1 on, the first in the low bits.
-  constant job_bits : natural := 1984;
+  constant job_bits : natural := 1408;
   subtype job_blocks_a is natural range 31 downto 0;  -- where the blocks of A are: address / 64
   subtype job_blocks_b is natural range 63 downto 32;
   subtype job_triangles_a is natural range 95 downto 64;
@@ -59,15 +59,6 @@ package engine_layout is
   subtype job_row_6 is natural range 1273 downto 1216;
   subtype job_row_7 is natural range 1337 downto 1280;
   subtype job_row_8 is natural range 1401 downto 1344;
-  subtype job_row_9 is natural range 1465 downto 1408;
-  subtype job_row_10 is natural range 1529 downto 1472;
-  subtype job_row_11 is natural range 1593 downto 1536;
-  subtype job_row_12 is natural range 1657 downto 1600;
-  subtype job_row_13 is natural range 1721 downto 1664;
-  subtype job_row_14 is natural range 1785 downto 1728;
-  subtype job_row_15 is natural range 1849 downto 1792;
-  subtype job_row_16 is natural range 1913 downto 1856;
-  subtype job_row_17 is natural range 1977 downto 1920;
 
   -- The options of a query.
   subtype option_expansions is natural range 31 downto 0;  -- the most of them; 0: no limit
@@ -97,15 +88,15 @@ package engine_layout is
   subtype job_shift_z is natural range 831 downto 806;  -- the shift as s4.22
 
   -- The last words of a job while they are a pair of a packet.
-  subtype job_pair_tag is natural range 1391 downto 1376;
-  subtype job_pair_v is natural range 1695 downto 1408;  -- corners of the triangle of A
-  subtype job_pair_w is natural range 1983 downto 1696;  -- of B
+  subtype job_pair_tag is natural range 815 downto 800;
+  subtype job_pair_v is natural range 1119 downto 832;  -- corners of the triangle of A
+  subtype job_pair_w is natural range 1407 downto 1120;  -- of B
 
   -- What the volume unit knows of a query.
   constant query_pose_bits : natural := 162;  -- the matrix for origins
   constant query_shift_bits : natural := 78;
   constant query_errors_bits : natural := 48;
-  constant query_rows_bits : natural := 1044;
+  constant query_rows_bits : natural := 522;
   subtype query_m00 is natural range 17 downto 0;
   subtype query_m01 is natural range 35 downto 18;
   subtype query_m02 is natural range 53 downto 36;
@@ -127,15 +118,6 @@ package engine_layout is
   subtype query_row_6 is natural range 405 downto 348;
   subtype query_row_7 is natural range 463 downto 406;
   subtype query_row_8 is natural range 521 downto 464;
-  subtype query_row_9 is natural range 579 downto 522;
-  subtype query_row_10 is natural range 637 downto 580;
-  subtype query_row_11 is natural range 695 downto 638;
-  subtype query_row_12 is natural range 753 downto 696;
-  subtype query_row_13 is natural range 811 downto 754;
-  subtype query_row_14 is natural range 869 downto 812;
-  subtype query_row_15 is natural range 927 downto 870;
-  subtype query_row_16 is natural range 985 downto 928;
-  subtype query_row_17 is natural range 1043 downto 986;
 
   -- Reasons of a report.
   constant reason_complete : std_logic_vector(4 downto 0) := "00000";  -- everything was traversed

@@ -29,9 +29,6 @@ package volume_types is
   type signed_26_x3_t is array (0 to 2) of signed(25 downto 0);
   constant zero_signed_26_x3 : signed_26_x3_t := (others => (others => '0'));
   type signed_10_x6_t is array (0 to 5) of signed(9 downto 0);
-  type unsigned_3_x9_t is array (0 to 8) of unsigned(2 downto 0);
-  type unsigned_13_x9_t is array (0 to 8) of unsigned(12 downto 0);
-  constant zero_unsigned_13_x9 : unsigned_13_x9_t := (others => (others => '0'));
   type signed_10_x9_t is array (0 to 8) of signed(9 downto 0);
   constant zero_signed_10_x9 : signed_10_x9_t := (others => (others => '0'));
   type signed_24_x9_t is array (0 to 8) of signed(23 downto 0);
@@ -70,13 +67,11 @@ package volume_types is
   constant zero_signed_10_x2_x9 : signed_10_x2_x9_t := (others => zero_signed_10_x2);
   type signed_25_x2_x9_t is array (0 to 8) of signed_25_x2_t;
   constant zero_signed_25_x2_x9 : signed_25_x2_x9_t := (others => zero_signed_25_x2);
-  type unsigned_12_x3_x9_t is array (0 to 8) of unsigned_12_x3_t;
-  constant zero_unsigned_12_x3_x9 : unsigned_12_x3_x9_t := (others => zero_unsigned_12_x3);
   type signed_10_x3_x9_t is array (0 to 8) of signed_10_x3_t;
   type signed_10_x6_x9_t is array (0 to 8) of signed_10_x6_t;
   type signed_27_x2_vector_t is array (0 to 2) of signed_27_x2_t;
-  type row_u13_x18_t is array (0 to 17) of row_u13_t;
-  constant zero_row_u13_x18 : row_u13_x18_t := (others => zero_row_u13);
+  type row_u13_x9_t is array (0 to 8) of row_u13_t;
+  constant zero_row_u13_x9 : row_u13_x9_t := (others => zero_row_u13);
   type numbers_t is array (natural range <>) of integer;
 
   -- A condition as a flag.

@@ -113,7 +113,7 @@ begin
 {%- for axis in e.query.axes %}
   new_shift(query_shift_{{ axis }}) <= job_words(job_shift_{{ axis }});
 {%- endfor %}
-{%- for i in 0..e.query.directions %}
+{%- for i in 0..e.query.rows %}
   new_rows(query_row_{{ i }}) <= job_words(job_row_{{ i }});
 {%- endfor %}
   new_options <= job_words(job_options);

@@ -34,7 +34,7 @@ struct {{ h.prefix }}efsat_engine_side {
   uint32_t triangles;
 };
 
-/* A row of the realignment: three choices of a direction with their factors, and the rest. */
+/* A row of the realignment, for two opposite directions: three choices of a direction with their factors, and the rest. */
 struct {{ h.prefix }}efsat_engine_row {
   uint32_t choice[3];
   uint32_t factor[3];
@@ -50,7 +50,7 @@ struct {{ h.prefix }}efsat_engine_options {
 };
 
 /* A query: A and B, errors of the shift, the pose m00 m01 m02 m10 ... m22 t_x t_y t_z in units of
- * 2^({{ h.upper }}_INTEGRAL_BITS - {{ h.upper }}_TRANSFORM_BITS), a row for each direction.
+ * 2^({{ h.upper }}_INTEGRAL_BITS - {{ h.upper }}_TRANSFORM_BITS), a row for each two opposite directions.
 {%- if h.is_sticky %} Bit i of `sticky` is set if number i is greater than its lower bound.{% endif %} */
 struct {{ h.prefix }}efsat_engine_query {
   struct {{ h.prefix }}efsat_engine_side sides[2];
@@ -60,7 +60,7 @@ struct {{ h.prefix }}efsat_engine_query {
 {%- if h.is_sticky %}
   uint32_t sticky;
 {%- endif %}
-  struct {{ h.prefix }}efsat_engine_row rows[{{ h.upper }}_DIRECTIONS];
+  struct {{ h.prefix }}efsat_engine_row rows[{{ h.upper }}_ROWS];
 };
 
 {% endif -%}
@@ -145,7 +145,7 @@ static inline int {{ h.prefix }}efsat_engine_check_pose(const int64_t pose[12]{%
     refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_ERROR, i, query->errors[i], 0, 65535);
   if (!refused)
     refused = {{ h.prefix }}efsat_engine_check_pose(query->pose{% if h.is_sticky %}, query->sticky{% endif %}, why);
-  for (unsigned i = 0; i < {{ h.upper }}_DIRECTIONS && !refused; i++) {
+  for (unsigned i = 0; i < {{ h.upper }}_ROWS && !refused; i++) {
     const struct {{ h.prefix }}efsat_engine_row *row = &query->rows[i];
     refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_REST, i, row->rest, 0, (INT64_C(1) << {{ h.upper }}_ROW_REST_BITS) - 1);
     for (unsigned slot = 0; slot < 3 && !refused; slot++) {
@@ -178,7 +178,7 @@ static inline int {{ h.prefix }}efsat_engine_check_pose(const int64_t pose[12]{%
   *word++ = {% if h.is_sticky %}query->sticky{% else %}0{% endif %};
   for (unsigned i = 0; i < 12; i += 2)
     *word++ = {{ h.prefix }}efsat_engine_both((uint64_t)query->pose[i], (uint64_t)query->pose[i + 1]);
-  for (unsigned i = 0; i < {{ h.upper }}_DIRECTIONS; i++) {
+  for (unsigned i = 0; i < {{ h.upper }}_ROWS; i++) {
     const struct {{ h.prefix }}efsat_engine_row *row = &query->rows[i];
     *word = (uint64_t)row->rest << {{ h.upper }}_ROW_REST_LOW;
     for (unsigned slot = 0; slot < 3; slot++)

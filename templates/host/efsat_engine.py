@@ -168,7 +168,7 @@ def query(sides, errors, pose, rows, limit=0, flags=0, number=None{% if h.is_sti
 {%- endif %}
     """
     sides, errors = _all("sides", sides, 2), _all("errors of the shift", errors, 3)
-    pose, rows = _all("numbers of the pose", pose, 12), _all("rows", rows, DIRECTIONS)
+    pose, rows = _all("numbers of the pose", pose, 12), _all("rows", rows, ROWS)
     at = [[_address(f"address of side {i}", at) for i, at in enumerate(ats)] for ats in zip(*(side[:2] for side in sides))]
 {%- if h.is_sticky %}
     sticky = _field("sticky", sticky, 12)

@@ -162,7 +162,7 @@ static inline void {{ h.prefix }}efsat_engine_combine(uint32_t choices[3], int64
   }
 }
 
-/* The row of a direction. */
+/* The row of a direction; with the opposite directions it is that of the opposite one. */
 static inline int {{ h.prefix }}efsat_engine_fit_row(struct {{ h.prefix }}efsat_engine_row *row, uint32_t direction, const struct {{ h.prefix }}efsat_engine_matrix *fine, struct {{ h.prefix }}efsat_engine_refusal *why)
 {
   const int *const n = {{ h.prefix }}efsat_engine_direction[direction];
@@ -233,8 +233,8 @@ static inline int {{ h.prefix }}efsat_engine_fit_row(struct {{ h.prefix }}efsat_
   head->as_it_lies = 0;
   {% if h.is_sticky %}head->sticky = sticky{% else %}(void)sticky{% endif %};
 {%- else %}
-  for (uint32_t i = 0; i < {{ h.upper }}_DIRECTIONS && !refused; i++)
-    refused = {{ h.prefix }}efsat_engine_fit_row(&query->rows[i], i, &fine, why);
+  for (uint32_t i = 0; i < {{ h.upper }}_ROWS && !refused; i++)
+    refused = {{ h.prefix }}efsat_engine_fit_row(&query->rows[i], 2 * i, &fine, why);
   if (refused)
     return refused;
   memcpy(query->pose, pose, sizeof pose);

@@ -124,7 +124,8 @@ impl Packets {
         let (mut reason, mut holed) = (Reason::Complete, None);
         match self.rng.random_range(0..14) {
             0 => {
-                words.truncate(self.rng.random_range(1..=last));
+                // The header alone, too, while another job waits.
+                words.truncate(if seldom(&mut self.rng, 2) { 1 } else { self.rng.random_range(1..=last) });
                 reason = Reason::TooShort;
             }
             1 => {
@@ -384,7 +385,7 @@ fn command(entity: &mut Entity) -> Outcome {
     // Packets of which a word was taken, and whether the next word is the first of one.
     let (mut begun, mut first, mut resets) = (0, true, 0);
     // Clocks in which nothing is taken, so that a soft reset is seen to overtake what waits, and how often it does.
-    let (mut hold, mut waited, mut overtakes) = (0u32, false, 0);
+    let (mut hold, mut seen, mut waited, mut overtakes) = (0u32, false, false, 0);
     // A word that was offered stays until it is taken.
     let mut offered = false;
     for clock in 0.. {
@@ -402,7 +403,9 @@ fn command(entity: &mut Entity) -> Outcome {
         let soft = seldom(&mut packets.rng, if clock % 2000 < 1000 { 100 } else { 1000 });
         let is_reset = word
             .is_some_and(|(word, whole, last)| first && whole && last && packets.format.is_order(Command::Reset, word));
-        hold = if is_reset { 30 } else { hold.saturating_sub(1) };
+        // One that waits behind words of a query waits for the job before them.
+        hold = if is_reset && !seen { 30 } else { hold.saturating_sub(1) };
+        seen = is_reset;
         let soft = soft && hold == 0;
         let takes_job = job && working == 0 && !held && !soft && hold == 0 && seldom(&mut packets.rng, 3);
         let takes_pair = pair && !soft && hold == 0 && seldom(&mut packets.rng, 3);
@@ -462,7 +465,12 @@ fn every_packet_becomes_what_it_is() {
         ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_load)"),
         ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_pairs)"),
         ("(head_kind(is_stop) or not waits)", "not waits"),
-        ("pending or closing or reset_now or", "pending or reset_now or"),
+        ("((pending or closing) and", "(pending and"),
+        // The header of a query is taken early: one that ends its packet, words behind it, and what the job before is.
+        ("(head_last or not head_kind(is_query))", "not head_kind(is_query)"),
+        ("not occupied and not holds;", "not occupied;"),
+        ("(head_valid and gathers and not holds)", "(head_valid and gathers)"),
+        ("job_short <= short_pending;", "job_short <= short;"),
         // Soft resets: by a word that waits, that has bits which mean nothing, that leaves a job or a pair; by the port, with
         // packets that go on or words that are held.
         (

@@ -48,9 +48,9 @@ fn volume(entity: &Entity, words: &[u64], format: &EngineFormat, clock: usize) -
         expect(bits(&shift, width * i, width) == due as u64 & ((1 << width) - 1), clock, "query_shift")?;
     }
     let width = (format.rest_at() + format.rest_bits()) as usize;
-    for direction in 0..format.k() as usize {
-        let row = words[13 + direction] & ((1 << width) - 1);
-        expect(bits(&rows, width * direction, width) == row, clock, "query_rows")?;
+    for i in 0..format.rows() as usize {
+        let row = words[13 + i] & ((1 << width) - 1);
+        expect(bits(&rows, width * i, width) == row, clock, "query_rows")?;
     }
     expect(entity.get("query_errors") == words[5] & 0xffff_ffff_ffff, clock, "query_errors")
 }

@@ -37,7 +37,7 @@ int main(void)
       STICKY;
       for (unsigned i = 0; i < 12; i++)
         query.pose[i] = next();
-      for (unsigned i = 0; i < EFSAT_ENGINE_DIRECTIONS; i++) {
+      for (unsigned i = 0; i < EFSAT_ENGINE_ROWS; i++) {
         for (unsigned slot = 0; slot < 3; slot++) {
           query.rows[i].choice[slot] = (uint32_t)next();
           query.rows[i].factor[slot] = (uint32_t)next();

@@ -38,10 +38,10 @@ class Other:
 
 def refused(error, **changes):
     given = {"sides": [engine.Side(0, 64, 1, 1)] * 2, "errors": (1, 2, 3), "pose": [0] * 12}
-    given["rows"] = [engine.Row((0, 0, 0), (0, 0, 0), 0)] * engine.DIRECTIONS
+    given["rows"] = [engine.Row((0, 0, 0), (0, 0, 0), 0)] * engine.ROWS
     plain = engine.query(**given, number=1)
     wider = dict(given, errors=map(Other, (1, 2, 3)), pose=map(Other, [0] * 12), number=Other(1))
-    wider["rows"] = [engine.Row(*[[Other(0)] * 3] * 2, Other(0))] * engine.DIRECTIONS
+    wider["rows"] = [engine.Row(*[[Other(0)] * 3] * 2, Other(0))] * engine.ROWS
     assert engine.query(**wider) == plain
     try:
         engine.query(**dict(given, **changes))
@@ -59,7 +59,7 @@ assert text == f"entry of t 11: found {1 << 40}; expected {engine.TRANSLATION_LE
 text = refused(ValueError, pose=[engine.ENTRY_MOST + 1] + [0] * 11)
 assert text.startswith(f"entry of M 0: found {engine.ENTRY_MOST + 1}; expected "), text
 assert refused(ValueError, sides=[engine.Side(0, 32, 1, 1)] * 2) == "address of side 0: found 32; expected a multiple of 64"
-rows = [engine.Row((0, 0), (0, 0, 0), 0)] * engine.DIRECTIONS
+rows = [engine.Row((0, 0), (0, 0, 0), 0)] * engine.ROWS
 assert refused(ValueError, rows=rows) == "choices of row 0: found 2; expected 3"
 numbers = {engine.asked(bytes(8 * engine.QUERY_WORDS)) for _ in range(100)}
 assert len(numbers) == 100, "each query has a number of its own"
@@ -78,7 +78,7 @@ for line in sys.stdin:
             sides.append(engine.Side(64 * blocks_at, 64 * triangles_at, blocks, triangles))
         limit, flags, number = take(3)
         errors, [sticky], pose, rows = take(3), take(1), take(12), []
-        for _ in range(engine.DIRECTIONS):
+        for _ in range(engine.ROWS):
             terms = take(6)
             rows.append(engine.Row(terms[::2], terms[1::2], next(rest)))
         more = {"sticky": sticky} if STICKY else {}

@@ -245,7 +245,7 @@ impl Sheet<'_> {
     /// The words of queries for each of their readers; entries of the matrix are cut off and saturated.
     fn queries(&self) -> Entity {
         let (lanes, format) = (self.design.params.queries, &self.design.format);
-        let (entries, rows) = (9 * format.origin_bits, format.k() * self.values.query.row_bits);
+        let (entries, rows) = (9 * format.origin_bits, format.rows() * self.values.query.row_bits);
         let (shift, errors) = (3 * format.widths().translation.bits(), 3 * format.shift_error_bits());
         let in_place = [entries, shift, errors, rows].map(|bits| (InPlace, ROWS, bits));
         let apart = [64, 64, 64 * format.pose_words].map(|bits| (Apart, ROWS, bits));

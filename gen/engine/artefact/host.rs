@@ -336,7 +336,7 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
 }
 
 /// What an engine that takes pairs by number does not have.
-const WITH_TREES: [&str; 15] = [
+const WITH_TREES: [&str; 16] = [
     "first_contact",
     "leaf_pairs",
     "query_flags",
@@ -345,6 +345,7 @@ const WITH_TREES: [&str; 15] = [
     "row_rest_low",
     "row_rest_bits",
     "directions",
+    "rows",
     "offset_bits",
     "origin_bits",
     "factor_bits",
@@ -358,7 +359,8 @@ fn of_engine(design: &EngineDesign) -> Vec<Constant> {
     let (params, format) = (&design.params, &design.format);
     let number = Constant::number;
     vec![
-        number("directions", format.k(), "directions of a volume, and rows of a query"),
+        number("directions", format.k(), "directions of a volume"),
+        number("rows", format.rows(), "rows of a query, one for each two opposite directions"),
         number("offset_bits", format.offset_bits, "bits of a code"),
         number("origin_bits", format.origin_bits, "bits of a coordinate of an origin"),
         number("factor_bits", format.factor_bits, "bits of a factor of a row"),

@@ -374,7 +374,7 @@ fn description(design: &EngineDesign) -> Vec<String> {
         "         34 leaf pairs only, no triangle test; 35 keep the caches; 63..40 number that the report returns"
             .to_owned(),
         "  6      errors of the shift 15..0, 31..16, 47..32".to_owned(),
-        "  7 ...  pose, as in packets of the stream wrapper; then a row for each direction".to_owned(),
+        "  7 ...  pose, as in packets of the stream wrapper; then a row for each two opposite directions".to_owned(),
         format!(
             "A stop and a soft reset are one word: header 16#{:08x}# or 16#{:08x}# in 31..0, a number in 63..40.",
             format.header(words::Command::Stop),

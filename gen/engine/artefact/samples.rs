@@ -92,7 +92,7 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
         change(&mut changed[place]);
         changed
     };
-    let row = design.format.row_at(design.format.k() - 1) as usize;
+    let row = design.format.row_at(design.format.rows() - 1) as usize;
     vectors.malformed(&with(3, &|word| word.1 = false), Reason::TooShort);
     vectors.malformed(&with(0, &|word| word.1 = false), Reason::UnknownHeader);
     vectors.malformed(&with(5, &|word| word.0 |= 1 << 36), Reason::UnknownHeader);

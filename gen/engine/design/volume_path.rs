@@ -18,7 +18,8 @@ use std::rc::Rc;
 pub const PREFIX: &str = "volume_";
 
 record! {
-    /// How B reaches in a direction of A: three codes with their factors, and what that may miss.
+    /// How B reaches in a direction of A: three codes with their factors, and what that may miss. In the opposite direction it is
+    /// the codes of the opposite directions.
     Row "row" {
         /// Which code of its slot each term reads.
         choice: [S; 3],
@@ -52,7 +53,7 @@ impl<'l> Query<'l> {
             pose: [(); 3].map(|()| Vec3::each(|_| signed(widths.origin))).named("query_pose"),
             shift: Vec3::each(|_| signed(widths.translation)).named("query_shift"),
             error: Vec3::each(|_| count(format.shift_error_bits())).named("query_error"),
-            rows: (0..format.k()).map(row).collect::<Vec<_>>().named("query_row"),
+            rows: (0..format.rows()).map(row).collect::<Vec<_>>().named("query_row"),
         }
     }
 }
@@ -142,10 +143,10 @@ fn apart<'l>(
         })
     };
     let groups = 2usize.div_ceil(clocks);
-    let codes: Vec<Vec<Sig<'l>>> =
-        (0..groups).map(|group| jobs(group).map(|job| b.codes[job.child].clone()).mux()).collect();
-    let codes = codes.named("b_chosen");
-    // A unit that works on two directions works on opposite ones: with the second the ends change places.
+    // A unit that works on two directions works on opposite ones: with the second opposite codes and the ends change places.
+    let codes =
+        |job: &Job| (0..b.codes[0].len()).map(|j| b.codes[job.child][j ^ (job.direction & 1)]).collect::<Vec<_>>();
+    let codes = (0..groups).map(|group| jobs(group).map(codes).mux()).collect::<Vec<_>>().named("b_chosen");
     let of_unit = clocks.div_ceil(2);
     let ends = match of_unit {
         1 => ends,
@@ -165,10 +166,11 @@ fn apart<'l>(
     for (group, codes) in codes.iter().enumerate() {
         let test = |unit: usize| {
             let jobs = jobs(unit);
-            let row = jobs.map(|job| query.rows[job.direction]).mux();
+            let first = unit * clocks / 2;
+            let row = query.rows[first / 2];
             let code = |slot: usize| {
                 let all: Vec<Sig<'l>> =
-                    format.directions.slots()[slot].iter().map(|j| codes[usize::from(*j)]).collect();
+                    format.directions.slots()[slot].iter().map(|j| codes[usize::from(*j) ^ (first & 1)]).collect();
                 select_code(&all, row.choice[slot]).named_at(&format!("term{slot}"), unit)
             };
             let s = row_sum([0, 1, 2].map(code), row.factor, row.rest, ceiling).named_at("s", unit);
@@ -178,7 +180,7 @@ fn apart<'l>(
                 align("code", code, a.exponent, 0, grid)
             };
             let v = [0, 1].map(v).named_at("v", unit);
-            let bound = bounds[unit * clocks / 2 / of_unit];
+            let bound = bounds[first / of_unit];
             direction_test(format.widths().gap.bits(), bound, u, v).named_at("apart", unit)
         };
         let units: Vec<[Sig<'l>; 2]> =

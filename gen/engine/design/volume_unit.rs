@@ -87,10 +87,10 @@ impl VolumeDesign {
         let pose =
             (0..3).flat_map(|i| vector("query_pose", &[Step::Index(i)], origin, 3 * origin * i as u32)).collect();
         let row_bits = format.rest_at() + format.rest_bits();
-        let row = |h: u32| {
-            let at = row_bits * h;
+        let row = |i: u32| {
+            let at = row_bits * i;
             let field = |name: &'static str, slot: Option<u32>| {
-                let steps = [Step::Index(h as usize), Step::Field("", 0, name)];
+                let steps = [Step::Index(i as usize), Step::Field("", 0, name)];
                 let slot = slot.map(|slot| Step::Index(slot as usize));
                 Place::at("query_row", &steps.into_iter().chain(slot).collect::<Vec<_>>()).to_string()
             };
@@ -126,8 +126,8 @@ impl VolumeDesign {
             WordPort { name: "query_errors", bits: 3 * errors, numbers: vector("query_error", &[], errors, 0) },
             WordPort {
                 name: "query_rows",
-                bits: format.k() * row_bits,
-                numbers: (0..format.k()).flat_map(row).collect(),
+                bits: format.rows() * row_bits,
+                numbers: (0..format.rows()).flat_map(row).collect(),
             },
             block_of("in_block_a", "a"),
             block_of("in_block_b", "b"),

@@ -91,6 +91,11 @@ impl EngineFormat {
         self.directions.count() as u32
     }
 
+    /// Number of rows of a query: one for each two opposite directions.
+    pub fn rows(&self) -> u32 {
+        self.k() / 2
+    }
+
     /// The greatest magnitude of a code, 2^(bits - 1) - 1.
     pub fn most(&self) -> i32 {
         (1 << (self.offset_bits - 1)) - 1
@@ -209,7 +214,7 @@ impl EngineFormat {
 
     /// Words of a query.
     pub fn query_words(&self) -> u32 {
-        self.row_at(self.k())
+        self.row_at(self.rows())
     }
 
     /// The first word of a packet of pairs by number that is a pair, behind the pose.
@@ -219,8 +224,8 @@ impl EngineFormat {
     }
 
     /// The word of a row of a query.
-    pub fn row_at(&self, direction: u32) -> u32 {
-        Self::POSE_AT + self.pose_words + direction
+    pub fn row_at(&self, row: u32) -> u32 {
+        Self::POSE_AT + self.pose_words + row
     }
 
     /// Where the fields of a block are.

@@ -20,7 +20,7 @@ fn the_default_is_a_block_of_64_bytes_and_a_query_of_32_words() {
     assert_eq!((block.code_at(0, 0), block.code_at(1, 0), block.code_at(1, 17)), (152, 332, 502));
     let triangle = format.triangle();
     assert_eq!((triangle.bits, triangle.stride, triangle.number_bits, triangle.lane), (320, 64, 28, 32));
-    assert_eq!((format.query_words(), format.row_at(0), format.pose_words), (32, 14, 7));
+    assert_eq!((format.query_words(), format.row_at(0), format.pose_words), (23, 14, 7));
     assert_eq!((format.choice_at(1), format.choice_at(2), format.rest_at(), format.rest_bits()), (15, 30, 45, 13));
     assert_eq!((format.grid_fraction(), format.product_shift(), format.origin_shift()), (22, 12, 5));
     assert_eq!((format.matrix_shift(), format.translation_shift(), format.factor_fraction()), (11, 6, 11));
@@ -45,7 +45,7 @@ fn blocks_of_other_formats_are_powers_of_two() {
     let format = EngineParams::default().format(&wide).unwrap();
     let triangle = format.triangle();
     assert_eq!((triangle.stride, triangle.number_bits, triangle.sticky_at), (128, 23, Some(23)));
-    assert_eq!((format.pose_words, format.query_words()), (13, 38));
+    assert_eq!((format.pose_words, format.query_words()), (13, 29));
     // The greatest exponent reaches what a projection can be from an origin, whatever the bits of a code.
     for offset_bits in OFFSET_BITS {
         let (most, grid) = (f64::from((1 << (offset_bits - 1)) - 1), f64::from(offset_bits) + 12.0);

@@ -122,7 +122,8 @@ impl Numbers {
         let pose = self.pose(headers, m, t)?;
         let fine = m.map(|row| row.map(Fine::of));
         let matrix = Frame::matrix(&pose, &self.format);
-        let rows = (0..self.format.directions.count()).map(|h| self.row(h, m, &fine)).collect::<Result<_, _>>()?;
+        let rows =
+            (0..self.format.directions.count()).step_by(2).map(|h| self.row(h, m, &fine)).collect::<Result<_, _>>()?;
         Ok(Query {
             sides: images.map(|(_, side)| side),
             limit: 0,
@@ -190,7 +191,8 @@ impl Numbers {
         (up(missed.sum(), FINE - grid) + i64::from(self.format.shift_rounding())) as u32
     }
 
-    /// The row of a direction h: w = M^T h as a sum of three directions, and an upper bound of what the rounded factors miss.
+    /// The row of a direction h: w = M^T h as a sum of three directions, and an upper bound of what the rounded factors miss. With
+    /// the opposite directions it is that of -h.
     pub(super) fn row(&self, h: usize, m: &[[f64; 3]; 3], fine: &[[Fine; 3]; 3]) -> Result<QueryRow, Refusal> {
         let format = &self.format;
         let normal = format.directions.vector(h);

@@ -5,7 +5,8 @@ use crate::format::EngineFormat;
 use efsat_hardware::number::floor_shift;
 use efsat_unit::pair::Pose;
 
-/// A row of the realignment: three directions of B with their factors, and the rest.
+/// A row of the realignment, of direction 2 i of A: three directions of B with their factors, and the rest. That of direction
+/// 2 i + 1 has the opposite directions of B.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct QueryRow {
     /// In each slot, the place of the direction among those of the slot, and its factor in steps of 2^-(factor bits - 1).
@@ -23,7 +24,7 @@ pub struct Frame {
     pub shift: [i64; 3],
     /// The error of the shift for each axis of A, in steps of the grid.
     pub errors: [u32; 3],
-    /// One row for each direction.
+    /// One row for each two opposite directions.
     pub rows: Vec<QueryRow>,
 }
 
@@ -66,9 +67,9 @@ pub fn bounds(
 ) -> [i64; 3] {
     let normal = format.directions.vector(h).map(i64::from);
     let base: i64 = (0..3).map(|i| normal[i] * distance[i] + normal[i].abs() * i64::from(frame.errors[i])).sum();
-    let row = &frame.rows[h];
+    let row = &frame.rows[h / 2];
     let terms = row.terms.iter().zip(format.directions.slots()).map(|(&(choice, factor), slot)| {
-        let direction = usize::from(slot[choice as usize]);
+        let direction = usize::from(slot[choice as usize]) ^ (h & 1);
         i64::from(factor) * i64::from(b.codes[direction])
     });
     let sum = terms.sum::<i64>() + i64::from(row.rest);

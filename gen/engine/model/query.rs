@@ -41,7 +41,7 @@ pub struct Query {
     pub errors: [u32; 3],
     /// The pose; never bypassed.
     pub pose: Pose,
-    /// One row for each direction.
+    /// One row for each two opposite directions.
     pub rows: Vec<QueryRow>,
 }
 

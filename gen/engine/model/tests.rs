@@ -79,7 +79,7 @@ fn bounds_of_rows_are_rounded_up() {
     let none = [0; 6];
     for (factor, rest) in (0..16).flat_map(|factor| (0..8).map(move |rest| (factor, rest))) {
         let row = QueryRow { terms: [(0, factor), (0, 0), (0, 0)], rest };
-        let frame = Frame { matrix: [[0; 3]; 3], shift: [0; 3], errors: [0; 3], rows: vec![row; 6] };
+        let frame = Frame { matrix: [[0; 3]; 3], shift: [0; 3], errors: [0; 3], rows: vec![row; 3] };
         for (code, exponent) in (-7..=7).flat_map(|code| (0..16).map(move |exponent| (code, exponent))) {
             let codes = [code; 6];
             let (a, b) = (Volume { exponent: 0, codes: &none }, Volume { exponent, codes: &codes });

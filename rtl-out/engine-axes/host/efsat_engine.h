@@ -18,7 +18,8 @@
 #include <stdlib.h>
 
 /* The engine. */
-#define EFSAT_ENGINE_DIRECTIONS 18 /* directions of a volume, and rows of a query */
+#define EFSAT_ENGINE_DIRECTIONS 18 /* directions of a volume */
+#define EFSAT_ENGINE_ROWS 9 /* rows of a query, one for each two opposite directions */
 #define EFSAT_ENGINE_OFFSET_BITS 10 /* bits of a code */
 #define EFSAT_ENGINE_ORIGIN_BITS 18 /* bits of a coordinate of an origin */
 #define EFSAT_ENGINE_FACTOR_BITS 12 /* bits of a factor of a row */
@@ -46,7 +47,7 @@
 #define EFSAT_ENGINE_QUERY_FORMAT UINT32_C(0x0024ca12) /* high half, which says the formats below */
 #define EFSAT_ENGINE_STOP_HEADER UINT32_C(0x44102005) /* the only word of a stop, without the number of its query */
 #define EFSAT_ENGINE_RESET_HEADER UINT32_C(0x44102006) /* the only word of a soft reset, without the number for its report */
-#define EFSAT_ENGINE_QUERY_WORDS 32 /* words of a query */
+#define EFSAT_ENGINE_QUERY_WORDS 23 /* words of a query */
 #define EFSAT_ENGINE_TRIANGLES_WORD 4 /* the word that says how many triangles the objects have */
 #define EFSAT_ENGINE_OPTIONS_WORD 5 /* the word that says what is asked for */
 
@@ -221,7 +222,7 @@ struct efsat_engine_side {
   uint32_t triangles;
 };
 
-/* A row of the realignment: three choices of a direction with their factors, and the rest. */
+/* A row of the realignment, for two opposite directions: three choices of a direction with their factors, and the rest. */
 struct efsat_engine_row {
   uint32_t choice[3];
   uint32_t factor[3];
@@ -237,13 +238,13 @@ struct efsat_engine_options {
 };
 
 /* A query: A and B, errors of the shift, the pose m00 m01 m02 m10 ... m22 t_x t_y t_z in units of
- * 2^(EFSAT_ENGINE_INTEGRAL_BITS - EFSAT_ENGINE_TRANSFORM_BITS), a row for each direction. */
+ * 2^(EFSAT_ENGINE_INTEGRAL_BITS - EFSAT_ENGINE_TRANSFORM_BITS), a row for each two opposite directions. */
 struct efsat_engine_query {
   struct efsat_engine_side sides[2];
   struct efsat_engine_options options;
   uint32_t errors[3];
   int64_t pose[12];
-  struct efsat_engine_row rows[EFSAT_ENGINE_DIRECTIONS];
+  struct efsat_engine_row rows[EFSAT_ENGINE_ROWS];
 };
 
 /* A pair of triangles in an answer: one of EFSAT_ENGINE_VERDICT_..., and the faces of A and of B. */
@@ -321,7 +322,7 @@ EFSAT_ENGINE_CHECKED static inline int efsat_engine_check_query(const struct efs
     refused = efsat_engine_range(why, EFSAT_ENGINE_REFUSED_ERROR, i, query->errors[i], 0, 65535);
   if (!refused)
     refused = efsat_engine_check_pose(query->pose, why);
-  for (unsigned i = 0; i < EFSAT_ENGINE_DIRECTIONS && !refused; i++) {
+  for (unsigned i = 0; i < EFSAT_ENGINE_ROWS && !refused; i++) {
     const struct efsat_engine_row *row = &query->rows[i];
     refused = efsat_engine_range(why, EFSAT_ENGINE_REFUSED_REST, i, row->rest, 0, (INT64_C(1) << EFSAT_ENGINE_ROW_REST_BITS) - 1);
     for (unsigned slot = 0; slot < 3 && !refused; slot++) {
@@ -354,7 +355,7 @@ EFSAT_ENGINE_CHECKED static inline int efsat_engine_put_query(uint64_t packet[EF
   *word++ = 0;
   for (unsigned i = 0; i < 12; i += 2)
     *word++ = efsat_engine_both((uint64_t)query->pose[i], (uint64_t)query->pose[i + 1]);
-  for (unsigned i = 0; i < EFSAT_ENGINE_DIRECTIONS; i++) {
+  for (unsigned i = 0; i < EFSAT_ENGINE_ROWS; i++) {
     const struct efsat_engine_row *row = &query->rows[i];
     *word = (uint64_t)row->rest << EFSAT_ENGINE_ROW_REST_LOW;
     for (unsigned slot = 0; slot < 3; slot++)

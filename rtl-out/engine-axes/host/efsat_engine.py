@@ -18,7 +18,8 @@ import struct
 from typing import NamedTuple
 
 # The engine.
-DIRECTIONS = 18  # directions of a volume, and rows of a query
+DIRECTIONS = 18  # directions of a volume
+ROWS = 9  # rows of a query, one for each two opposite directions
 OFFSET_BITS = 10  # bits of a code
 ORIGIN_BITS = 18  # bits of a coordinate of an origin
 FACTOR_BITS = 12  # bits of a factor of a row
@@ -46,7 +47,7 @@ QUERY_HEADER = 0x44102003  # low half of the first word of a query
 QUERY_FORMAT = 0x0024ca12  # high half, which says the formats below
 STOP_HEADER = 0x44102005  # the only word of a stop, without the number of its query
 RESET_HEADER = 0x44102006  # the only word of a soft reset, without the number for its report
-QUERY_WORDS = 32  # words of a query
+QUERY_WORDS = 23  # words of a query
 TRIANGLES_WORD = 4  # the word that says how many triangles the objects have
 OPTIONS_WORD = 5  # the word that says what is asked for
 
@@ -242,7 +243,7 @@ def query(sides, errors, pose, rows, limit=0, flags=0, number=None):
     the answer is right only if no image has been written to since the last query without it.
     """
     sides, errors = _all("sides", sides, 2), _all("errors of the shift", errors, 3)
-    pose, rows = _all("numbers of the pose", pose, 12), _all("rows", rows, DIRECTIONS)
+    pose, rows = _all("numbers of the pose", pose, 12), _all("rows", rows, ROWS)
     at = [[_address(f"address of side {i}", at) for i, at in enumerate(ats)] for ats in zip(*(side[:2] for side in sides))]
     ranges = [("entry of M", ENTRY_LEAST, ENTRY_MOST)] * 9 + [("entry of t", TRANSLATION_LEAST, TRANSLATION_MOST)] * 3
     low = [

@@ -152,7 +152,7 @@ static inline void efsat_engine_combine(uint32_t choices[3], int64_t doubled[3],
   }
 }
 
-/* The row of a direction. */
+/* The row of a direction; with the opposite directions it is that of the opposite one. */
 static inline int efsat_engine_fit_row(struct efsat_engine_row *row, uint32_t direction, const struct efsat_engine_matrix *fine, struct efsat_engine_refusal *why)
 {
   const int *const n = efsat_engine_direction[direction];
@@ -212,8 +212,8 @@ EFSAT_ENGINE_CHECKED static inline int efsat_engine_put_pose(struct efsat_engine
     if (i < 9)
       fine.floor[i] = efsat_engine_floor(&room->images[0], exponent + EFSAT_ENGINE_FINE_BITS, &fine.above[i]);
   }
-  for (uint32_t i = 0; i < EFSAT_ENGINE_DIRECTIONS && !refused; i++)
-    refused = efsat_engine_fit_row(&query->rows[i], i, &fine, why);
+  for (uint32_t i = 0; i < EFSAT_ENGINE_ROWS && !refused; i++)
+    refused = efsat_engine_fit_row(&query->rows[i], 2 * i, &fine, why);
   if (refused)
     return refused;
   memcpy(query->pose, pose, sizeof pose);

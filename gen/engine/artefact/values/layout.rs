@@ -208,7 +208,7 @@ fn job(design: &EngineDesign) -> Vec<Item> {
     let errors = 3 * format.shift_error_bits();
     items.push(field("job_errors", word_at(6), errors, "errors of the shift; the bits above are not read"));
     let row = |i| field(format!("job_row_{i}"), word_at(format.row_at(i)), row_bits(format), "");
-    items.extend((0..format.k()).map(row));
+    items.extend((0..format.rows()).map(row));
     items
 }
 
@@ -277,11 +277,11 @@ fn query(format: &EngineFormat) -> Vec<Item> {
         number("query_pose_bits", 9 * origin, "the matrix for origins"),
         number("query_shift_bits", 3 * shift, ""),
         number("query_errors_bits", 3 * format.shift_error_bits(), ""),
-        number("query_rows_bits", format.k() * row, ""),
+        number("query_rows_bits", format.rows() * row, ""),
     ];
     items.extend((0..).zip(ENTRIES).map(|(i, name)| field(format!("query_{name}"), origin * i, origin, "")));
     items.extend((0..).zip(AXES).map(|(i, axis)| field(format!("query_shift_{axis}"), shift * i, shift, "")));
-    items.extend((0..format.k()).map(|i| field(format!("query_row_{i}"), row * i, row, "")));
+    items.extend((0..format.rows()).map(|i| field(format!("query_row_{i}"), row * i, row, "")));
     items
 }
 

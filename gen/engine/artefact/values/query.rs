@@ -17,6 +17,7 @@ pub(crate) struct Slot {
 #[derive(Debug)]
 pub(crate) struct Query {
     pub directions: u32,
+    pub rows: u32,
     pub query_words: u32,
     /// Kinds of header that are told apart.
     pub kinds: u32,
@@ -46,7 +47,7 @@ pub(crate) struct Query {
 
 impl Query {
     pub fn new(format: &EngineFormat, memory: Memory) -> Self {
-        let (k, origin_bits) = (format.k(), format.origin_bits);
+        let origin_bits = format.origin_bits;
         let row_bits = row_bits(format);
         let cut = Bits::new(format.matrix_shift() as u32, origin_bits);
         let above_bits = format.transform_width - cut.high;
@@ -56,7 +57,8 @@ impl Query {
             (directions.len() < 1 << bits).then(|| Slot { bits: Bits::new(low, bits), count: directions.len() })
         };
         Self {
-            directions: k,
+            directions: format.k(),
+            rows: format.rows(),
             query_words: format.query_words(),
             kinds: if memory == Memory::BlockRam { 8 } else { 7 },
             query_header: header(Command::Query),

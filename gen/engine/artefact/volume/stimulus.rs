@@ -91,12 +91,12 @@ impl VolumeStimulus {
                 put(format!("{of}_origin_{axis}"), block.origin[i].into());
             }
         }
-        for (h, row) in frame.rows.iter().enumerate() {
+        for (i, row) in frame.rows.iter().enumerate() {
             for (slot, (choice, factor)) in row.terms.iter().enumerate() {
-                put(format!("query_row{h}_choice{slot}"), (*choice).into());
-                put(format!("query_row{h}_factor{slot}"), (*factor).into());
+                put(format!("query_row{i}_choice{slot}"), (*choice).into());
+                put(format!("query_row{i}_factor{slot}"), (*factor).into());
             }
-            put(format!("query_row{h}_rest"), row.rest.into());
+            put(format!("query_row{i}_rest"), row.rest.into());
         }
         for (k, of) in ["a", "b"].into_iter().enumerate() {
             let block = &expansion.blocks[k];
@@ -188,7 +188,7 @@ impl Random {
             matrix: [(); 3].map(|()| [(); 3].map(|()| self.signed(widths.origin.bound, ends))),
             shift: [(); 3].map(|()| if ends { self.signed(widths.translation.bound, true) } else { 0 }),
             errors: [(); 3].map(|()| self.count(format.shift_error_bits(), ends)),
-            rows: (0..format.k()).map(|_| row(self)).collect(),
+            rows: (0..format.rows()).map(|_| row(self)).collect(),
         }
     }
 
