@@ -113,7 +113,7 @@ const EVENTS: [(&str, u64); 5] =
     [("block_reads", 3), ("triangles_asked", 1), ("triangle_reads", 3), ("words_read", 1), ("starved", 1)];
 
 /// Lanes of the engine that is tested.
-const LANES: u64 = 4;
+const LANES: u64 = 8;
 
 fn answer(entity: &mut Entity) -> Outcome {
     let mut rng = random(11);
@@ -252,6 +252,7 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         ("if unsigned(tested_lane) = lane then", "if unsigned(survived_lane) = lane then"),
         ("counter(i)(0) <= steps(i);", "counter(i)(0) <= '0';"),
     ];
-    let design = EngineDesign::new(&EngineParams { queries: 4, ..small(Memory::Axi).params }, &Params::default());
+    let design =
+        EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());
     tried(&design.unwrap(), "engine_answer", &changes, answer);
 }

@@ -10,7 +10,7 @@ const LINES: u64 = 1 << ADDRESS_BITS;
 /// Clocks in which a report has to come.
 const PATIENCE: usize = 2000;
 /// Lanes of the engine that is tested.
-const LANES: usize = 4;
+const LANES: usize = 8;
 
 /// A job, and what it says of a query.
 struct Job {

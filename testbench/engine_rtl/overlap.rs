@@ -38,7 +38,7 @@ fn queries_in_flight_together_are_answered_as_alone() {
     let cases: [(EngineParams, Params, &[&str]); 4] = [
         (EngineParams { queries: 2, ..axi() }, small(), &[]),
         (
-            EngineParams { queries: 4, pair_queue: 16, in_flight: 5, ..axi() },
+            EngineParams { queries: 8, pair_queue: 16, in_flight: 5, ..axi() },
             determinants.clone(),
             &["-glatency_most=90"],
         ),

@@ -27,7 +27,7 @@ pub const MEMORY_WIDTH: &[u32] = &[32, 64, 128, 256, 512];
 pub const LINES: &[u32] = &[16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384];
 /// Legal numbers of queries in flight.
 #[doc(hidden)]
-pub const QUERIES: &[u32] = &[2, 4];
+pub const QUERIES: &[u32] = &[2, 4, 8];
 /// Legal numbers of engines behind one stream.
 #[doc(hidden)]
 pub const ENGINES: RangeInclusive<u32> = 1..=16;
@@ -135,7 +135,7 @@ option_set! {
     /// Lines of the caches of triangles, half for each mesh; with --memory block-ram the triangles of both meshes
     "triangle-lines" triangle_lines: u32 = 1024,
         [value_name = "N", value_parser = one_of(LINES), allow_negative_numbers = true];
-    /// Queries in flight, 2 or 4: while the oldest ends, the next ones begin
+    /// Queries in flight, 2, 4 or 8: while the oldest ends, the next ones begin
     "queries" queries: u32 = 4,
         [value_name = "N", value_parser = one_of(QUERIES), allow_negative_numbers = true];
     /// Pairs of nodes in flight, 1 to 64; fewer wait longer for memory
