@@ -56,6 +56,15 @@ Definition left_by (f : Z) (p : pose) (h : direction) (r : row) : vec :=
      (e * Z_ w - (IZR (l0 r) * Z_ (n j0) + IZR (l1 r) * Z_ (n j1) + IZR (l2 r) * Z_ (n j2))).
 Definition rest_within (f most : Z) (p : pose) (h : direction) (r : row) : Prop := IZR most * norm (left_by f p h r) <= IZR (rest r).
 
+(** The host sends the row of one of two opposite directions. With the opposite directions it is that of the other one. *)
+Definition turned (r : row) := Row (opposite (j0 r)) (opposite (j1 r)) (opposite (j2 r)) (l0 r) (l1 r) (l2 r) (rest r).
+Theorem one_row_serves_two_directions f most p h r : rest_within f most p h r -> rest_within f most p (opposite h) (turned r).
+Proof.
+  unfold rest_within. intros H. replace (norm (left_by f p (opposite h) (turned r))) with (norm (left_by f p h r)); [exact H|].
+  assert (E : forall x y, y = - x -> Rabs x = Rabs y) by (intros x y ->; symmetry; apply Rabs_Ropp).
+  unfold norm, left_by, column, vector, turned, opposite; cbn. rewrite !opp_IZR. f_equal; [f_equal|]; apply E; ring.
+Qed.
+
 (** The coordinate axes are among the directions of every set, and no code is above [most]. *)
 Definition set_of_directions (directions : direction -> Prop) : Prop :=
   (forall n, directions n -> unit_entries n) /\ (forall n, directions n -> directions (opposite n)) /\

@@ -36,6 +36,7 @@ Definition over_real_numbers := (
   AxisRanges.axis_unit_is_right,
   AxisRanges.kept_words_are_declared,
   Cascade.cascade_is_right,
+  Hierarchy.one_row_serves_two_directions,
   Hierarchy.host_error_is_enough,
   Hierarchy.touching_volumes_are_not_apart,
   Refuted.face_three_times,

@@ -244,13 +244,13 @@ fn mistakes_in_the_text_are_noticed() {
         ("volume_path.vhd", "resize(query_error_resized_h6(i), 27) + ", ""),
         // Apart where the volumes touch.
         ("volume_direction_test.vhd", "reach + resize(v(k), 29)", "reach + resize(v(k), 29) - 1"),
-        // The right child of B in place of the left one.
-        (&format!("{NAME}.vhd"), "b_take0 => in_take_b(0)", "b_take0 => in_take_b(1)"),
+        // One child of B in place of the other.
+        (&format!("{NAME}.vhd"), "stage_b_take(i) <= in_take_b(i)", "stage_b_take(i) <= in_take_b(1 - i)"),
         // A code one bit too low in the block.
         (
             &format!("{NAME}.vhd"),
-            "b_code1_17 => in_block_b(511 downto 502)",
-            "b_code1_17 => in_block_b(510 downto 501)",
+            "in_block_b(10 * i + 341 downto 10 * i + 332)",
+            "in_block_b(10 * i + 340 downto 10 * i + 331)",
         ),
     ];
     for (file, right, wrong) in mistakes {

@@ -174,7 +174,8 @@ architecture rtl of efsat_engine is
   signal leaf_b : std_logic_vector(27 downto 0);
   signal triangles_valid : std_logic;
   signal triangles_there : std_logic;  -- and not sent yet
-  signal triangles_taken : std_logic := '0';  -- by the unit, or past it, or dropped, a clock ago
+  signal triangles_go : std_logic;  -- to the unit, or past it, or they are dropped
+  signal triangles_taken : std_logic := '0';  -- the same, a clock ago
   signal triangles_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal testable : std_logic;
   signal drops : std_logic;
@@ -207,7 +208,6 @@ architecture rtl of efsat_engine is
   signal decided_numbers : std_logic_vector(55 downto 0);
   signal decided_last : std_logic;
   signal decided_outside : std_logic;
-  signal bypass_valid : std_logic;
   signal bypass_free : std_logic;
   signal bypassed_valid : std_logic := '0';
   signal bypassed_numbers : std_logic_vector(55 downto 0) := (others => '0');
@@ -495,7 +495,7 @@ begin
   tests_them <= triangles_there and testable and not leaves_only and not drops;
   passes_them <= triangles_there and testable and leaves_only and not drops;
   unit_valid <= tests_them or packet_valid;
-  bypass_valid <= passes_them;
+  triangles_go <= triangles_there and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
   -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs a pair nothing, because
   -- the unit does not take the next one at once.
   triangles_there <= triangles_valid and not triangles_taken;
@@ -503,7 +503,7 @@ begin
   send : process (aclk)
   begin
     if rising_edge(aclk) then
-      triangles_taken <= triangles_there and not restart and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
+      triangles_taken <= triangles_go and not restart;
     end if;
   end process send;
 
@@ -516,7 +516,7 @@ begin
       if restart = '1' then
         bypassed_valid <= '0';
       elsif bypass_free = '1' then
-        bypassed_valid <= bypass_valid;
+        bypassed_valid <= passes_them;
       elsif decided_taken = '1' then
         bypassed_valid <= '0';
       end if;

@@ -8,6 +8,8 @@
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.volume_types.all;
 
 entity volume_unit is
   port (
@@ -29,176 +31,84 @@ entity volume_unit is
 end entity volume_unit;
 
 architecture rtl of volume_unit is
+  signal stage_query_pose : signed_18_vector_x3_t;
+  signal stage_query_shift : signed_26_vector_t;
+  signal stage_query_error : unsigned_16_vector_t;
+  signal stage_query_row : row_u13_x9_t;
+  signal stage_a_origin : signed_18_vector_t;
+  signal stage_a_exponent : unsigned(3 downto 0);
+  signal stage_a_code : signed_10_x18_x2_t;
+  signal stage_a_take : std_logic_vector(1 downto 0);
+  signal stage_b_origin : signed_18_vector_t;
+  signal stage_b_exponent : unsigned(3 downto 0);
+  signal stage_b_code : signed_10_x18_x2_t;
+  signal stage_b_take : std_logic_vector(1 downto 0);
+  signal stage_survive : unsigned(3 downto 0);
 begin
+  -- The numbers in the words.
+  each_query_pose : for i in 0 to 2 generate
+    stage_query_pose(i)(0) <= signed(query_pose(54 * i + 17 downto 54 * i));
+    stage_query_pose(i)(1) <= signed(query_pose(54 * i + 35 downto 54 * i + 18));
+    stage_query_pose(i)(2) <= signed(query_pose(54 * i + 53 downto 54 * i + 36));
+  end generate each_query_pose;
+  each_query_shift : for i in 0 to 2 generate
+    stage_query_shift(i) <= signed(query_shift(26 * i + 25 downto 26 * i));
+  end generate each_query_shift;
+  each_query_error : for i in 0 to 2 generate
+    stage_query_error(i) <= unsigned(query_errors(16 * i + 15 downto 16 * i));
+  end generate each_query_error;
+  each_query_row : for i in 0 to 8 generate
+    stage_query_row(i).choice(0) <= unsigned(query_rows(58 * i + 2 downto 58 * i));
+    stage_query_row(i).choice(1) <= unsigned(query_rows(58 * i + 17 downto 58 * i + 15));
+    stage_query_row(i).choice(2) <= unsigned(query_rows(58 * i + 32 downto 58 * i + 30));
+    stage_query_row(i).factor(0) <= unsigned(query_rows(58 * i + 14 downto 58 * i + 3));
+    stage_query_row(i).factor(1) <= unsigned(query_rows(58 * i + 29 downto 58 * i + 18));
+    stage_query_row(i).factor(2) <= unsigned(query_rows(58 * i + 44 downto 58 * i + 33));
+    stage_query_row(i).rest <= unsigned(query_rows(58 * i + 57 downto 58 * i + 45));
+  end generate each_query_row;
+  each_a_origin : for i in 0 to 2 generate
+    stage_a_origin(i) <= signed(in_block_a(18 * i + 81 downto 18 * i + 64));
+  end generate each_a_origin;
+  stage_a_exponent <= unsigned(in_block_a(121 downto 118));
+  each_a_code : for i in 0 to 17 generate
+    stage_a_code(0)(i) <= signed(in_block_a(10 * i + 161 downto 10 * i + 152));
+    stage_a_code(1)(i) <= signed(in_block_a(10 * i + 341 downto 10 * i + 332));
+  end generate each_a_code;
+  each_a_take : for i in 0 to 1 generate
+    stage_a_take(i) <= in_take_a(i);
+  end generate each_a_take;
+  each_b_origin : for i in 0 to 2 generate
+    stage_b_origin(i) <= signed(in_block_b(18 * i + 81 downto 18 * i + 64));
+  end generate each_b_origin;
+  stage_b_exponent <= unsigned(in_block_b(121 downto 118));
+  each_b_code : for i in 0 to 17 generate
+    stage_b_code(0)(i) <= signed(in_block_b(10 * i + 161 downto 10 * i + 152));
+    stage_b_code(1)(i) <= signed(in_block_b(10 * i + 341 downto 10 * i + 332));
+  end generate each_b_code;
+  each_b_take : for i in 0 to 1 generate
+    stage_b_take(i) <= in_take_b(i);
+  end generate each_b_take;
+
   stage : entity work.volume_stage
     port map (
       clk => clk,
       reset => reset,
-      query_pose0_x => query_pose(17 downto 0),
-      query_pose0_y => query_pose(35 downto 18),
-      query_pose0_z => query_pose(53 downto 36),
-      query_pose1_x => query_pose(71 downto 54),
-      query_pose1_y => query_pose(89 downto 72),
-      query_pose1_z => query_pose(107 downto 90),
-      query_pose2_x => query_pose(125 downto 108),
-      query_pose2_y => query_pose(143 downto 126),
-      query_pose2_z => query_pose(161 downto 144),
-      query_shift_x => query_shift(25 downto 0),
-      query_shift_y => query_shift(51 downto 26),
-      query_shift_z => query_shift(77 downto 52),
-      query_error_x => query_errors(15 downto 0),
-      query_error_y => query_errors(31 downto 16),
-      query_error_z => query_errors(47 downto 32),
-      query_row0_choice0 => query_rows(2 downto 0),
-      query_row0_factor0 => query_rows(14 downto 3),
-      query_row0_choice1 => query_rows(17 downto 15),
-      query_row0_factor1 => query_rows(29 downto 18),
-      query_row0_choice2 => query_rows(32 downto 30),
-      query_row0_factor2 => query_rows(44 downto 33),
-      query_row0_rest => query_rows(57 downto 45),
-      query_row1_choice0 => query_rows(60 downto 58),
-      query_row1_factor0 => query_rows(72 downto 61),
-      query_row1_choice1 => query_rows(75 downto 73),
-      query_row1_factor1 => query_rows(87 downto 76),
-      query_row1_choice2 => query_rows(90 downto 88),
-      query_row1_factor2 => query_rows(102 downto 91),
-      query_row1_rest => query_rows(115 downto 103),
-      query_row2_choice0 => query_rows(118 downto 116),
-      query_row2_factor0 => query_rows(130 downto 119),
-      query_row2_choice1 => query_rows(133 downto 131),
-      query_row2_factor1 => query_rows(145 downto 134),
-      query_row2_choice2 => query_rows(148 downto 146),
-      query_row2_factor2 => query_rows(160 downto 149),
-      query_row2_rest => query_rows(173 downto 161),
-      query_row3_choice0 => query_rows(176 downto 174),
-      query_row3_factor0 => query_rows(188 downto 177),
-      query_row3_choice1 => query_rows(191 downto 189),
-      query_row3_factor1 => query_rows(203 downto 192),
-      query_row3_choice2 => query_rows(206 downto 204),
-      query_row3_factor2 => query_rows(218 downto 207),
-      query_row3_rest => query_rows(231 downto 219),
-      query_row4_choice0 => query_rows(234 downto 232),
-      query_row4_factor0 => query_rows(246 downto 235),
-      query_row4_choice1 => query_rows(249 downto 247),
-      query_row4_factor1 => query_rows(261 downto 250),
-      query_row4_choice2 => query_rows(264 downto 262),
-      query_row4_factor2 => query_rows(276 downto 265),
-      query_row4_rest => query_rows(289 downto 277),
-      query_row5_choice0 => query_rows(292 downto 290),
-      query_row5_factor0 => query_rows(304 downto 293),
-      query_row5_choice1 => query_rows(307 downto 305),
-      query_row5_factor1 => query_rows(319 downto 308),
-      query_row5_choice2 => query_rows(322 downto 320),
-      query_row5_factor2 => query_rows(334 downto 323),
-      query_row5_rest => query_rows(347 downto 335),
-      query_row6_choice0 => query_rows(350 downto 348),
-      query_row6_factor0 => query_rows(362 downto 351),
-      query_row6_choice1 => query_rows(365 downto 363),
-      query_row6_factor1 => query_rows(377 downto 366),
-      query_row6_choice2 => query_rows(380 downto 378),
-      query_row6_factor2 => query_rows(392 downto 381),
-      query_row6_rest => query_rows(405 downto 393),
-      query_row7_choice0 => query_rows(408 downto 406),
-      query_row7_factor0 => query_rows(420 downto 409),
-      query_row7_choice1 => query_rows(423 downto 421),
-      query_row7_factor1 => query_rows(435 downto 424),
-      query_row7_choice2 => query_rows(438 downto 436),
-      query_row7_factor2 => query_rows(450 downto 439),
-      query_row7_rest => query_rows(463 downto 451),
-      query_row8_choice0 => query_rows(466 downto 464),
-      query_row8_factor0 => query_rows(478 downto 467),
-      query_row8_choice1 => query_rows(481 downto 479),
-      query_row8_factor1 => query_rows(493 downto 482),
-      query_row8_choice2 => query_rows(496 downto 494),
-      query_row8_factor2 => query_rows(508 downto 497),
-      query_row8_rest => query_rows(521 downto 509),
-      a_origin_x => in_block_a(81 downto 64),
-      a_origin_y => in_block_a(99 downto 82),
-      a_origin_z => in_block_a(117 downto 100),
-      a_exponent => in_block_a(121 downto 118),
-      a_code0_0 => in_block_a(161 downto 152),
-      a_code0_1 => in_block_a(171 downto 162),
-      a_code0_2 => in_block_a(181 downto 172),
-      a_code0_3 => in_block_a(191 downto 182),
-      a_code0_4 => in_block_a(201 downto 192),
-      a_code0_5 => in_block_a(211 downto 202),
-      a_code0_6 => in_block_a(221 downto 212),
-      a_code0_7 => in_block_a(231 downto 222),
-      a_code0_8 => in_block_a(241 downto 232),
-      a_code0_9 => in_block_a(251 downto 242),
-      a_code0_10 => in_block_a(261 downto 252),
-      a_code0_11 => in_block_a(271 downto 262),
-      a_code0_12 => in_block_a(281 downto 272),
-      a_code0_13 => in_block_a(291 downto 282),
-      a_code0_14 => in_block_a(301 downto 292),
-      a_code0_15 => in_block_a(311 downto 302),
-      a_code0_16 => in_block_a(321 downto 312),
-      a_code0_17 => in_block_a(331 downto 322),
-      a_code1_0 => in_block_a(341 downto 332),
-      a_code1_1 => in_block_a(351 downto 342),
-      a_code1_2 => in_block_a(361 downto 352),
-      a_code1_3 => in_block_a(371 downto 362),
-      a_code1_4 => in_block_a(381 downto 372),
-      a_code1_5 => in_block_a(391 downto 382),
-      a_code1_6 => in_block_a(401 downto 392),
-      a_code1_7 => in_block_a(411 downto 402),
-      a_code1_8 => in_block_a(421 downto 412),
-      a_code1_9 => in_block_a(431 downto 422),
-      a_code1_10 => in_block_a(441 downto 432),
-      a_code1_11 => in_block_a(451 downto 442),
-      a_code1_12 => in_block_a(461 downto 452),
-      a_code1_13 => in_block_a(471 downto 462),
-      a_code1_14 => in_block_a(481 downto 472),
-      a_code1_15 => in_block_a(491 downto 482),
-      a_code1_16 => in_block_a(501 downto 492),
-      a_code1_17 => in_block_a(511 downto 502),
-      b_origin_x => in_block_b(81 downto 64),
-      b_origin_y => in_block_b(99 downto 82),
-      b_origin_z => in_block_b(117 downto 100),
-      b_exponent => in_block_b(121 downto 118),
-      b_code0_0 => in_block_b(161 downto 152),
-      b_code0_1 => in_block_b(171 downto 162),
-      b_code0_2 => in_block_b(181 downto 172),
-      b_code0_3 => in_block_b(191 downto 182),
-      b_code0_4 => in_block_b(201 downto 192),
-      b_code0_5 => in_block_b(211 downto 202),
-      b_code0_6 => in_block_b(221 downto 212),
-      b_code0_7 => in_block_b(231 downto 222),
-      b_code0_8 => in_block_b(241 downto 232),
-      b_code0_9 => in_block_b(251 downto 242),
-      b_code0_10 => in_block_b(261 downto 252),
-      b_code0_11 => in_block_b(271 downto 262),
-      b_code0_12 => in_block_b(281 downto 272),
-      b_code0_13 => in_block_b(291 downto 282),
-      b_code0_14 => in_block_b(301 downto 292),
-      b_code0_15 => in_block_b(311 downto 302),
-      b_code0_16 => in_block_b(321 downto 312),
-      b_code0_17 => in_block_b(331 downto 322),
-      b_code1_0 => in_block_b(341 downto 332),
-      b_code1_1 => in_block_b(351 downto 342),
-      b_code1_2 => in_block_b(361 downto 352),
-      b_code1_3 => in_block_b(371 downto 362),
-      b_code1_4 => in_block_b(381 downto 372),
-      b_code1_5 => in_block_b(391 downto 382),
-      b_code1_6 => in_block_b(401 downto 392),
-      b_code1_7 => in_block_b(411 downto 402),
-      b_code1_8 => in_block_b(421 downto 412),
-      b_code1_9 => in_block_b(431 downto 422),
-      b_code1_10 => in_block_b(441 downto 432),
-      b_code1_11 => in_block_b(451 downto 442),
-      b_code1_12 => in_block_b(461 downto 452),
-      b_code1_13 => in_block_b(471 downto 462),
-      b_code1_14 => in_block_b(481 downto 472),
-      b_code1_15 => in_block_b(491 downto 482),
-      b_code1_16 => in_block_b(501 downto 492),
-      b_code1_17 => in_block_b(511 downto 502),
-      a_take0 => in_take_a(0),
-      a_take1 => in_take_a(1),
-      b_take0 => in_take_b(0),
-      b_take1 => in_take_b(1),
+      query_pose => stage_query_pose,
+      query_shift => stage_query_shift,
+      query_error => stage_query_error,
+      query_row => stage_query_row,
+      a_origin => stage_a_origin,
+      a_exponent => stage_a_exponent,
+      a_code => stage_a_code,
+      a_take => stage_a_take,
+      b_origin => stage_b_origin,
+      b_exponent => stage_b_exponent,
+      b_code => stage_b_code,
+      b_take => stage_b_take,
       in_valid => in_valid,
       in_ready => in_ready,
       out_valid => out_valid,
-      out_survive => out_survive
+      out_survive => stage_survive
     );
+  out_survive <= std_logic_vector(stage_survive);
 end architecture rtl;

@@ -128,7 +128,8 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal leaf_b : std_logic_vector(27 downto 0);
   signal triangles_valid : std_logic;
   signal triangles_there : std_logic;{% if e.unit.paced %}  -- and not sent yet{% endif %}
-  signal triangles_taken : std_logic{% if e.unit.paced %} := '0'{% endif %};  -- by the unit, or past it, or dropped{% if e.unit.paced %}, a clock ago{% endif %}
+  signal triangles_go : std_logic;  -- to the unit, or past it, or they are dropped
+  signal triangles_taken : std_logic{% if e.unit.paced %} := '0';  -- the same, a clock ago{% else %};{% endif %}
   signal triangles_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal testable : std_logic;
   signal drops : std_logic;
@@ -175,7 +176,6 @@ architecture rtl of {{ prefix }}efsat_engine is
 {%- if e.unit.guarded %}
   signal decided_outside : std_logic;
 {%- endif %}
-  signal bypass_valid : std_logic;
   signal bypass_free : std_logic;
   signal bypassed_valid : std_logic := '0';
   signal bypassed_numbers : std_logic_vector(55 downto 0) := (others => '0');
@@ -510,7 +510,7 @@ begin
   tests_them <= triangles_there and testable and not leaves_only and not drops;
   passes_them <= triangles_there and testable and leaves_only and not drops;
   unit_valid <= tests_them or packet_valid;
-  bypass_valid <= passes_them;
+  triangles_go <= triangles_there and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
 {%- if e.unit.paced %}
   -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs a pair nothing, because
   -- the unit does not take the next one at once.
@@ -519,12 +519,12 @@ begin
   send : process (aclk)
   begin
     if rising_edge(aclk) then
-      triangles_taken <= triangles_there and not restart and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
+      triangles_taken <= triangles_go and not restart;
     end if;
   end process send;
 {%- else %}
   triangles_there <= triangles_valid;
-  triangles_taken <= triangles_there and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
+  triangles_taken <= triangles_go;
 {%- endif %}
 
   bypass : process (aclk)
@@ -536,7 +536,7 @@ begin
       if restart = '1' then
         bypassed_valid <= '0';
       elsif bypass_free = '1' then
-        bypassed_valid <= bypass_valid;
+        bypassed_valid <= passes_them;
       elsif decided_taken = '1' then
         bypassed_valid <= '0';
       end if;

@@ -8,6 +8,8 @@
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.{{ prefix }}{{ package }}.all;
 
 entity {{ prefix }}volume_unit is
   port (
@@ -31,19 +33,39 @@ entity {{ prefix }}volume_unit is
 end entity {{ prefix }}volume_unit;
 
 architecture rtl of {{ prefix }}volume_unit is
+{%- for bundle in bundles %}
+  signal stage_{{ bundle.name }} : {{ bundle.ty }};
+{%- endfor %}
+  signal stage_survive : unsigned(3 downto 0);
 begin
+  -- The numbers in the words.
+{%- for bundle in bundles %}
+{%- for group in bundle.groups %}
+{%- if let Some(last) = group.last %}
+  each_{{ bundle.name }} : for i in 0 to {{ last }} generate
+{%- for part in group.parts %}
+    {{ part.target }} <= {% if let Some(conversion) = part.conversion %}{{ conversion }}({{ part.word }}({{ part.bits }})){% else %}{{ part.word }}({{ part.bits }}){% endif %};
+{%- endfor %}
+  end generate each_{{ bundle.name }};
+{%- else %}
+{%- for part in group.parts %}
+  {{ part.target }} <= {% if let Some(conversion) = part.conversion %}{{ conversion }}({{ part.word }}({{ part.bits }})){% else %}{{ part.word }}({{ part.bits }}){% endif %};
+{%- endfor %}
+{%- endif %}
+{%- endfor %}
+{%- endfor %}
+
   stage : entity work.{{ prefix }}volume_stage
     port map (
       clk => clk,
       reset => reset,
-{%- for word in words %}
-{%- for number in word.numbers %}
-      {{ number.port }} => {{ word.name }}({% if number.flag %}{{ number.low }}{% else %}{{ number.high }} downto {{ number.low }}{% endif %}),
-{%- endfor %}
+{%- for bundle in bundles %}
+      {{ bundle.name }} => stage_{{ bundle.name }},
 {%- endfor %}
       in_valid => in_valid,
       in_ready => in_ready,
       out_valid => out_valid,
-      out_survive => out_survive
+      out_survive => stage_survive
     );
+  out_survive <= std_logic_vector(stage_survive);
 end architecture rtl;

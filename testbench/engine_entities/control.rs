@@ -10,7 +10,9 @@ const LINES: u64 = 1 << ADDRESS_BITS;
 /// Clocks in which a report has to come.
 const PATIENCE: usize = 2000;
 /// Lanes of the engine that is tested.
-const LANES: usize = 8;
+const LANES: usize = 4;
+/// Words of a job: those of a query without its header.
+const JOB_WORDS: usize = 22;
 
 /// A job, and what it says of a query.
 struct Job {
@@ -219,7 +221,7 @@ impl Control<'_> {
             self.unit_busy = self.clock;
         }
         if self.job.is_none() && !unit_busy && seldom(rng, 12) {
-            let job = Job::new(rng, 31);
+            let job = Job::new(rng, JOB_WORDS);
             job.offer(self.entity);
             self.job = Some(job);
         }
@@ -439,7 +441,7 @@ impl Control<'_> {
         self.edge();
         self.entity.set("forget", 0);
         let (query, posed, short, reason) = (false, false, false, Reason::Reset as u64);
-        let job = Job { id: 0, query, posed, short, reason, number, words: vec![0; 31] };
+        let job = Job { id: 0, query, posed, short, reason, number, words: vec![0; JOB_WORDS] };
         let (admitted, started, stopped, idle) = (true, false, false, false);
         self.lanes = [Lane { job, admitted, started, reason: Some(reason), stopped, idle }].into();
         (self.job, self.stopped, self.known, self.flushing, self.error) = (None, false, None, None, None);

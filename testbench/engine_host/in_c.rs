@@ -208,7 +208,7 @@ fn refusal(of: &Refusal) -> [u32; 2] {
         Refusal::Scale(_) => [2, 1],
         Refusal::Entry { row, column, .. } => [3, (3 * row + column) as u32],
         Refusal::Translation { axis } => [4, 9 + *axis as u32],
-        Refusal::Rest { direction, .. } => [5, *direction as u32],
+        Refusal::Rest { direction, .. } => [5, *direction as u32 / 2],
         other => panic!("{other}"),
     }
 }

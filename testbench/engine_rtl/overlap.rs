@@ -17,8 +17,8 @@ fn mixed(vectors: &mut EngineVectors<'_>, queries: &[Query], count: usize, seed:
             4 => query.sides[1].blocks = 0,
             5 => query.sides[0].blocks -= 8,
             6 => query.sides[1].triangles = 3,
-            // It is ended by the host as soon as it runs, unless it was faster.
-            7 => vectors.stop(0, query.number ^ 1),
+            // A stop of the query behind this one, which has not come, ends none.
+            7 => vectors.stop(0, query.number + 1),
             _ => {}
         }
         vectors.query(&query);
@@ -59,7 +59,7 @@ fn queries_in_flight_together_are_answered_as_alone() {
             let queries: Vec<Query> = poses.map(query).into();
             mixed(&mut vectors, &queries, if full() { 120 } else { 40 }, *seed);
             let report = bench.run_vectors(vectors.text(), &[&["-gpasses=1"], *options].concat());
-            let mut beside = fine(&report) && together(&report) > 110;
+            let mut beside = fine(&report) && together(&report) > if engine.queries == 8 { 500 } else { 110 };
             // With random stalls on all sides.
             let stalls = || bench.run_vectors(vectors.text(), &[&["-gfirst_pass=2"], *options].concat());
             beside &= !full() || fine(&stalls());

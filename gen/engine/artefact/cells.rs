@@ -185,8 +185,8 @@ impl Sheet<'_> {
 
     /// Bits that are chosen among lanes.
     fn chosen(&self, bits: u32) -> u32 {
-        let lane_bits = self.design.params.lane_bits();
-        bits * self.of([lane_bits, lane_bits, 1])
+        let lanes = self.design.params.queries;
+        bits * self.of([lanes / 2, lanes / 2, lanes.div_ceil(4)])
     }
 
     /// Comparisons of so many bits with a constant.

@@ -140,9 +140,8 @@ impl VolumeDesign {
 /// The data path between registers, with a port for each number.
 fn stage(path: &Rc<Module>, latency: usize, interval: usize) -> Rc<Module> {
     let doc = [
-        "The volume unit with a port for each number: registers for the expansion of the running slot, the data path, and",
-        "which slots in flight hold an expansion. An expansion is accepted in the last phase of a slot; without one the last",
-        "one stays.",
+        "Registers for the expansion of the running slot, the data path, and which slots in flight hold an expansion. An",
+        "expansion is accepted in the last phase of a slot; without one the last one stays.",
     ];
     let m = Control::new(&format!("{PREFIX}stage"), doc.map(str::to_owned).to_vec());
     let [reset, in_valid] = ["reset", "in_valid"].map(|name| m.input(name, Type::FLAG));

@@ -12,7 +12,7 @@ fn format(change: impl FnOnce(&mut EngineParams)) -> Result<EngineFormat, ParamE
 }
 
 #[test]
-fn the_default_is_a_block_of_64_bytes_and_a_query_of_32_words() {
+fn the_default_is_a_block_of_64_bytes_and_a_query_of_23_words() {
     let format = format(|_| {}).unwrap();
     let block = format.block();
     assert_eq!((block.bits, block.stride, block.origin_at, block.exponent_at), (512, 64, 64, 118));

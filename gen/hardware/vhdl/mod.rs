@@ -27,14 +27,38 @@ use std::rc::Rc;
 /// # Errors
 /// A name that some tool would refuse.
 pub fn print(top: &Rc<Module>, prefix: &str, package: &str, origin: &[String]) -> Result<Vec<(String, String)>, Clash> {
+    print_with(top, prefix, package, origin, true)
+}
+
+/// The same for a top around which an entity is written by hand: its ports are [`bundles`], as those of all entities below a top.
+///
+/// # Errors
+/// A name that some tool would refuse.
+// For the volume unit.
+#[doc(hidden)]
+pub fn print_inner(
+    top: &Rc<Module>,
+    prefix: &str,
+    package: &str,
+    origin: &[String],
+) -> Result<Vec<(String, String)>, Clash> {
+    print_with(top, prefix, package, origin, false)
+}
+
+/// `raw`: the ports of the top are words.
+fn print_with(
+    top: &Rc<Module>,
+    prefix: &str,
+    package: &str,
+    origin: &[String],
+    raw: bool,
+) -> Result<Vec<(String, String)>, Clash> {
     let package = &format!("{prefix}{package}");
     let modules = top.hierarchy();
     let records = shape::Records::of(&modules);
     let is_top = |module: &Rc<Module>| Rc::ptr_eq(module, top);
-    let views: Vec<view::View> = modules.iter().map(|m| view::View::new(m, &records, is_top(m))).collect();
-    let mut types = shape::Types::default();
-    views.iter().for_each(|view| view.shapes().for_each(|shape| types.include(shape)));
-    types.sort();
+    let views: Vec<view::View> = modules.iter().map(|m| view::View::new(m, &records, raw && is_top(m))).collect();
+    let types = types(&views);
     let name = |module: &Module| format!("{prefix}{}", module.name);
     let mut in_use: HashSet<String> = modules.iter().map(|m| name(m)).collect();
     in_use.extend(package::names(&types));
@@ -50,6 +74,44 @@ pub fn print(top: &Rc<Module>, prefix: &str, package: &str, origin: &[String]) -
     let text = package::text(package, &types, &functions, &files);
     files.insert(0, (package.to_owned(), text));
     Ok(files)
+}
+
+fn types(views: &[view::View<'_>]) -> shape::Types {
+    let mut types = shape::Types::default();
+    views.iter().for_each(|view| view.shapes().for_each(|shape| types.include(shape)));
+    types.sort();
+    types
+}
+
+/// An input port of a top that [`print_inner`] prints.
+#[doc(hidden)]
+pub struct Bundle {
+    /// Its name.
+    pub name: String,
+    /// Its type.
+    pub ty: String,
+    /// The numbers in it: what each is called in the netlist, which part of the port it is, and whether it is signed; flags are not.
+    pub numbers: Vec<(String, String, bool)>,
+}
+
+/// The input ports of a top that [`print_inner`] prints.
+#[doc(hidden)]
+pub fn bundles(top: &Rc<Module>) -> Vec<Bundle> {
+    let modules = top.hierarchy();
+    let records = shape::Records::of(&modules);
+    let views: Vec<view::View> = modules.iter().map(|m| view::View::new(m, &records, false)).collect();
+    let types = types(&views);
+    let bundle = |object: shape::Object| Bundle {
+        ty: types.name(&object.shape),
+        numbers: object
+            .members
+            .iter()
+            .map(|(id, subs)| (top.signal(top.inputs[id.0]), subs))
+            .map(|(signal, subs)| (signal.place.to_string(), object.part(subs).to_string(), signal.ty.signed))
+            .collect(),
+        name: object.name,
+    };
+    view::ports(&records, top).into_iter().filter_map(|(input, object)| input.then(|| bundle(object))).collect()
 }
 
 /// What the text of a module declares: the name of each signal or output port, and the signals of the netlist in it.

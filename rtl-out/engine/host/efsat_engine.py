@@ -124,7 +124,7 @@ class Side(NamedTuple):
 
 
 class Row(NamedTuple):
-    """A row of the realignment: three choices of a direction, their factors, and the rest."""
+    """A row of the realignment, for two opposite directions: three choices of a direction, their factors, and the rest."""
 
     choices: tuple
     factors: tuple
@@ -236,7 +236,7 @@ def _address(what, at):
 
 
 def query(sides, errors, pose, rows, limit=0, flags=0, number=None):
-    """The packet of a query: two Sides, three errors of the shift, m00 m01 m02 m10 ... m22 t_x t_y t_z, a Row for each direction.
+    """The packet of a query: two Sides, three errors of the shift, m00 m01 m02 m10 ... m22 t_x t_y t_z, a Row for each two opposite directions.
 
     `flags` is an OR of FIRST_CONTACT and the like, `limit` the most expansions or 0. `number` returns in the report, and names the
     query in a stop; without it each query gets the next one. Without KEEP_CACHES the engine reads again what the query needs; with it

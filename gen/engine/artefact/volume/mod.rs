@@ -18,40 +18,149 @@ pub const BENCH: &str = "volume_unit_tb";
 /// Name of its package of types, without a prefix.
 pub const PACKAGE: &str = "volume_types";
 
-/// A port and the numbers in it.
+/// A port.
 struct Word {
     name: &'static str,
     high: u32,
     query: bool,
-    numbers: Vec<Number>,
-}
-
-/// A port of the stage, and its bits in the word.
-struct Number {
-    port: String,
-    high: u32,
-    low: u32,
-    flag: bool,
 }
 
 impl Word {
-    fn new(word: WordPort) -> Self {
-        let query = word.of_query();
-        let number =
-            |(port, low, bits): (String, u32, u32)| Number { flag: bits == 1, high: low + bits - 1, low, port };
-        let numbers = word.numbers.into_iter().map(number).collect();
-        Self { name: word.name, high: word.bits - 1, query, numbers }
+    fn new(word: &WordPort) -> Self {
+        Self { name: word.name, high: word.bits - 1, query: word.of_query() }
     }
 }
+
+/// A port of the stage.
+struct Bundle {
+    name: String,
+    ty: String,
+    /// Elements that are cut from the words alike, so many at a time.
+    groups: Vec<Group>,
+}
+
+/// Parts of a port with an index i, which is 0 to `last`; or those without one.
+struct Group {
+    last: Option<u32>,
+    parts: Vec<Part>,
+}
+
+/// A part of a port, and where it is in a word.
+struct Part {
+    target: String,
+    conversion: Option<&'static str>,
+    word: &'static str,
+    bits: String,
+}
+
+/// A number in a word: the part of a bundle, its lowest bit, and how many it has.
+struct Number<'a> {
+    target: &'a str,
+    conversion: Option<&'static str>,
+    word: &'static str,
+    low: u32,
+    bits: u32,
+}
+
+impl Number<'_> {
+    /// The part without the index in one of its brackets, and that index.
+    fn without(&self, bracket: usize) -> Option<(String, u32)> {
+        let open = self.target.match_indices('(').nth(bracket)?.0;
+        let close = open + self.target[open..].find(')')?;
+        let index = self.target[open + 1..close].parse().ok()?;
+        Some((format!("{}(i){}", &self.target[..open], &self.target[close + 1..]), index))
+    }
+
+    /// As a part, `stride` bits from one index to the next.
+    fn part(&self, target: String, stride: Option<u32>) -> Part {
+        let at = |bit: u32| match (stride, bit) {
+            (None, _) => bit.to_string(),
+            (Some(1), 0) => "i".to_owned(),
+            (Some(stride), 0) => format!("{stride} * i"),
+            (Some(stride), _) => format!("{stride} * i + {bit}"),
+        };
+        let (low, high) = (at(self.low), at(self.low + self.bits - 1));
+        let bits = if self.bits == 1 { low } else { format!("{high} downto {low}") };
+        Part { target, conversion: self.conversion.filter(|_| self.bits > 1), word: self.word, bits }
+    }
+}
+
+/// The numbers of a bundle, those that differ in the index of a bracket together where they lie alike.
+fn by_index(numbers: &[Number<'_>], bracket: usize) -> Vec<Group> {
+    let mut runs: Vec<(String, Vec<(u32, &Number<'_>)>)> = vec![];
+    for number in numbers {
+        let (target, index) = number.without(bracket).unwrap_or((number.target.to_owned(), 0));
+        match runs.iter_mut().find(|run| run.0 == target) {
+            Some(run) => run.1.push((index, number)),
+            None => runs.push((target, vec![(index, number)])),
+        }
+    }
+    let mut groups: Vec<Group> = vec![];
+    let mut push = |last: Option<u32>, part: Part| match groups.iter_mut().find(|group| group.last == last) {
+        Some(group) => group.parts.push(part),
+        None => groups.push(Group { last, parts: vec![part] }),
+    };
+    for (target, run) in runs {
+        let stride = run.get(1).map(|second| second.1.low - run[0].1.low);
+        let lies = |i: usize| {
+            let (index, number) = run[i];
+            index == i as u32
+                && number.word == run[0].1.word
+                && Some(number.low) == stride.map(|n| run[0].1.low + n * i as u32)
+        };
+        match run.len() > 1 && (0..run.len()).all(lies) {
+            true => push(Some(run.len() as u32 - 1), run[0].1.part(target, stride)),
+            false => run.iter().for_each(|(_, number)| push(None, number.part(number.target.to_owned(), None))),
+        }
+    }
+    groups
+}
+
+/// What the stage gets from the words.
+fn bundles(design: &VolumeDesign) -> Vec<Bundle> {
+    let words = design.words();
+    let bundle = |bundle: vhdl::Bundle| {
+        let place = |port: &str| {
+            let all = words.iter().flat_map(|word| word.numbers.iter().map(|number| (word.name, number)));
+            all.into_iter().find(|(_, number)| number.0 == port).map(|(word, number)| (word, number.1, number.2))
+        };
+        let number = |(port, target, signed): &'_ (String, String, bool)| {
+            let (word, low, bits) = place(port)?;
+            let conversion = Some(if *signed { "signed" } else { "unsigned" });
+            Some((format!("{STAGE}{target}"), conversion, word, low, bits))
+        };
+        let numbers: Option<Vec<_>> = bundle.numbers.iter().map(number).collect();
+        let numbers = numbers?;
+        let numbers: Vec<Number<'_>> = numbers
+            .iter()
+            .map(|(target, conversion, word, low, bits)| Number {
+                target,
+                conversion: *conversion,
+                word,
+                low: *low,
+                bits: *bits,
+            })
+            .collect();
+        let lines = |groups: &Vec<Group>| groups.iter().map(|group| group.parts.len()).sum::<usize>();
+        let groups = (0..2).map(|bracket| by_index(&numbers, bracket)).min_by_key(lines)?;
+        Some(Bundle { name: bundle.name, ty: bundle.ty, groups })
+    };
+    vhdl::bundles(&design.stage).into_iter().filter_map(bundle).collect()
+}
+
+/// Stands before the names of what goes to ports of the stage.
+const STAGE: &str = "stage_";
 
 #[derive(Template)]
 #[template(path = "engine/volume_unit.vhd", escape = "none")]
 struct VolumeUnit<'a> {
     header: Vec<String>,
     prefix: &'a Prefix,
+    package: &'static str,
     interval: usize,
     latency: usize,
     words: Vec<Word>,
+    bundles: Vec<Bundle>,
 }
 
 #[derive(Template)]
@@ -64,7 +173,7 @@ struct Bench<'a> {
 }
 
 fn words(design: &VolumeDesign) -> Vec<Word> {
-    design.words().into_iter().map(Word::new).collect()
+    design.words().iter().map(Word::new).collect()
 }
 
 /// Name and text of each source file, in dependency order: the package, the entities of the data path, the unit. All names
@@ -73,9 +182,17 @@ fn words(design: &VolumeDesign) -> Vec<Word> {
 /// # Errors
 /// A name that some tool would refuse.
 pub fn volume_files(design: &VolumeDesign, prefix: &Prefix) -> Result<Vec<(String, String)>, Clash> {
-    let mut files = vhdl::print(&design.stage, &prefix.of(""), PACKAGE, &origin())?;
+    let mut files = vhdl::print_inner(&design.stage, &prefix.of(""), PACKAGE, &origin())?;
     let VolumeDesign { interval, latency, .. } = *design;
-    let unit = VolumeUnit { header: origin(), prefix, interval, latency, words: words(design) };
+    let unit = VolumeUnit {
+        header: origin(),
+        prefix,
+        package: PACKAGE,
+        interval,
+        latency,
+        words: words(design),
+        bundles: bundles(design),
+    };
     files.push((prefix.of(NAME), unit.render().expect("the template renders")));
     Ok(files.into_iter().map(|(name, text)| (format!("{name}.vhd"), text)).collect())
 }

@@ -107,7 +107,10 @@ fn product(file: &File) -> Vec<Breach> {
     let alone = others().all(|at| clocked(at) && file.reads(at, -1, "NAME <= NAME ;"));
     let form = "rising_edge ( NAME ) then NAME <= NAME * NAME ; end if ; end process";
     let is_chain = file.find("*").count() > 1 && file.find("<=").all(|at| clocked(at) && is_link(file, at + 1));
-    file.breaches("*", |at| is_chain || alone && file.reads(at, -8, form))
+    // A place of bits: a number times the index of a loop is no hardware.
+    let is_index = |word: &str| file.find("for").any(|at| file.word(at, 1) == word);
+    let is_place = |at| file.word(at, -1).bytes().all(|c| c.is_ascii_digit()) && is_index(file.word(at, 1));
+    file.breaches("*", |at| is_place(at) || is_chain || alone && file.reads(at, -8, form))
 }
 
 /// Whether what is assigned is of a chain of multipliers: a register, a product, or a sum of two.
