@@ -138,7 +138,9 @@ fn an_engine_has_the_predicted_control() {
 
 #[test]
 #[ignore = "a minute or more: scripts/test full"]
-fn an_engine_of_two_queries_has_the_predicted_control() {
-    let params = EngineParams { queries: 2, watchdog: 0, memory: Memory::Axi, ..EngineParams::default() };
-    check(&EngineDesign::new(&params, &params.unit()).unwrap(), &DEVICES[..1]);
+fn engines_of_two_and_eight_queries_have_the_predicted_control() {
+    for queries in [2, 8] {
+        let params = EngineParams { queries, watchdog: 0, memory: Memory::Axi, ..EngineParams::default() };
+        check(&EngineDesign::new(&params, &params.unit()).unwrap(), &DEVICES[..1]);
+    }
 }

@@ -215,6 +215,8 @@ impl Sheet<'_> {
         let lanes = self.design.params.queries;
         let flip_flops = 204 + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
         let luts = self.of([857, 1012, 795]) + lanes * self.of([40, 130, 4]);
+        // Each bit of a count is chosen among more lanes than a table has inputs for.
+        let luts = luts + u32::from(lanes > 4) * 5 * 32 * self.of([2, 0, 2]);
         self.entity("engine_answer", flip_flops, &[], &[(5 * lanes + 12, 32), (1, 3)], luts)
     }
 
@@ -252,7 +254,7 @@ impl Sheet<'_> {
         let registered = [5 * 64, 4 * 32].map(|bits| (RegisteredInPlace, ROWS, bits));
         // Of the longest entries Yosys makes trees of the ECP5's wide multiplexers.
         let trees = if format.origin_bits > 16 { self.of([0, 8 * entries, 0]) } else { 0 };
-        let luts = self.of([250, 300, 235]) + trees;
+        let luts = self.of([250, 181 + 17 * format.rows(), 235]) + trees;
         self.entity("engine_queries", 3 * lanes, &[in_place.as_slice(), &apart, &registered].concat(), &[], luts)
     }
 
