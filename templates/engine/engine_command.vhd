@@ -16,8 +16,8 @@
 --   6  soft reset: the header alone, with a number for its report in the same place. Everything before it is forgotten
 -- Pairs go to the unit from here, while no query runs. Every other packet becomes a job: a query to run, a pose to be handed
 -- over, or a report to give; for kinds 1 and 2 the report is one word. One job waits here while another one runs; then words
--- stay in the stream, but for a stop, a soft reset, and the header of a query, behind which everything stays. A soft reset by the port drops the packet of which a word was taken to its
--- end, without an answer.
+-- stay in the stream, but for a stop, a soft reset, and the header of a query, behind which everything stays. A soft reset by
+-- the port drops the packet of which a word was taken to its end, without an answer.
 --
 -- The words of a query, of a pose and of a pair are shifted through one register. A pose is shifted on behind its last word, to
 -- where a query has it.

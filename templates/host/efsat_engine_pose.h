@@ -162,10 +162,10 @@ static inline void {{ h.prefix }}efsat_engine_combine(uint32_t choices[3], int64
   }
 }
 
-/* Row i, of direction 2 i; with the opposite directions it is that of direction 2 i + 1. */
-static inline int {{ h.prefix }}efsat_engine_fit_row(struct {{ h.prefix }}efsat_engine_row *row, uint32_t i, const struct {{ h.prefix }}efsat_engine_matrix *fine, struct {{ h.prefix }}efsat_engine_refusal *why)
+/* The row of direction 2 * place; with the opposite directions it is that of the direction behind it. */
+static inline int {{ h.prefix }}efsat_engine_fit_row(struct {{ h.prefix }}efsat_engine_row *row, uint32_t place, const struct {{ h.prefix }}efsat_engine_matrix *fine, struct {{ h.prefix }}efsat_engine_refusal *why)
 {
-  const int *const n = {{ h.prefix }}efsat_engine_direction[2 * i];
+  const int *const n = {{ h.prefix }}efsat_engine_direction[2 * place];
   int64_t w[3] = {0, 0, 0}, exact[3] = {0, 0, 0}, missed = 0, doubled[3] = {0, 0, 0}, rest;
   uint32_t choices[3] = {0, 0, 0};
   for (unsigned i = 0; i < 9; i++) {
@@ -186,7 +186,7 @@ static inline int {{ h.prefix }}efsat_engine_fit_row(struct {{ h.prefix }}efsat_
     missed += {{ h.prefix }}efsat_engine_magnitude(exact[axis]);
   rest = -{{ h.prefix }}efsat_engine_down(-missed * {{ h.upper }}_BLOCK_MOST_CODE, {{ h.upper }}_FACTOR_DROP);
   row->rest = (uint32_t)rest;
-  return {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_REST, i, rest, 0, (INT64_C(1) << {{ h.upper }}_ROW_REST_BITS) - 1);
+  return {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_REST, place, rest, 0, (INT64_C(1) << {{ h.upper }}_ROW_REST_BITS) - 1);
 }
 {% endif %}
 /* Sets the pose{% if !h.by_number %}, errors and rows of a query{% else %} of a head{% endif %}, and nothing else of it: the mesh of the second image is moved to M x + t as seen from that of

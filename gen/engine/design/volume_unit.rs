@@ -25,7 +25,7 @@ pub struct VolumeDesign {
     pub path: Rc<Block>,
     /// Schedule of the data path.
     pub schedule: Rc<Schedule>,
-    /// The unit with a port for each number.
+    /// The unit without the words around it: in the netlist with a port for each number.
     pub stage: Rc<Module>,
     /// Clocks from the acceptance of an expansion to its answer.
     pub latency: usize,

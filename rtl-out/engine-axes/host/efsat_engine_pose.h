@@ -152,10 +152,10 @@ static inline void efsat_engine_combine(uint32_t choices[3], int64_t doubled[3],
   }
 }
 
-/* Row i, of direction 2 i; with the opposite directions it is that of direction 2 i + 1. */
-static inline int efsat_engine_fit_row(struct efsat_engine_row *row, uint32_t i, const struct efsat_engine_matrix *fine, struct efsat_engine_refusal *why)
+/* The row of direction 2 * place; with the opposite directions it is that of the direction behind it. */
+static inline int efsat_engine_fit_row(struct efsat_engine_row *row, uint32_t place, const struct efsat_engine_matrix *fine, struct efsat_engine_refusal *why)
 {
-  const int *const n = efsat_engine_direction[2 * i];
+  const int *const n = efsat_engine_direction[2 * place];
   int64_t w[3] = {0, 0, 0}, exact[3] = {0, 0, 0}, missed = 0, doubled[3] = {0, 0, 0}, rest;
   uint32_t choices[3] = {0, 0, 0};
   for (unsigned i = 0; i < 9; i++) {
@@ -176,7 +176,7 @@ static inline int efsat_engine_fit_row(struct efsat_engine_row *row, uint32_t i,
     missed += efsat_engine_magnitude(exact[axis]);
   rest = -efsat_engine_down(-missed * EFSAT_ENGINE_BLOCK_MOST_CODE, EFSAT_ENGINE_FACTOR_DROP);
   row->rest = (uint32_t)rest;
-  return efsat_engine_range(why, EFSAT_ENGINE_REFUSED_REST, i, rest, 0, (INT64_C(1) << EFSAT_ENGINE_ROW_REST_BITS) - 1);
+  return efsat_engine_range(why, EFSAT_ENGINE_REFUSED_REST, place, rest, 0, (INT64_C(1) << EFSAT_ENGINE_ROW_REST_BITS) - 1);
 }
 
 /* Sets the pose, errors and rows of a query, and nothing else of it: the mesh of the second image is moved to M x + t as seen from that of

@@ -54,15 +54,15 @@ struct Part {
 }
 
 /// A number in a word: the part of a bundle, its lowest bit, and how many it has.
-struct Number<'a> {
-    target: &'a str,
-    conversion: Option<&'static str>,
+struct Number {
+    target: String,
+    conversion: &'static str,
     word: &'static str,
     low: u32,
     bits: u32,
 }
 
-impl Number<'_> {
+impl Number {
     /// The part without the index in one of its brackets, and that index.
     fn without(&self, bracket: usize) -> Option<(String, u32)> {
         let open = self.target.match_indices('(').nth(bracket)?.0;
@@ -81,15 +81,15 @@ impl Number<'_> {
         };
         let (low, high) = (at(self.low), at(self.low + self.bits - 1));
         let bits = if self.bits == 1 { low } else { format!("{high} downto {low}") };
-        Part { target, conversion: self.conversion.filter(|_| self.bits > 1), word: self.word, bits }
+        Part { target, conversion: (self.bits > 1).then_some(self.conversion), word: self.word, bits }
     }
 }
 
 /// The numbers of a bundle, those that differ in the index of a bracket together where they lie alike.
-fn by_index(numbers: &[Number<'_>], bracket: usize) -> Vec<Group> {
-    let mut runs: Vec<(String, Vec<(u32, &Number<'_>)>)> = vec![];
+fn by_index(numbers: &[Number], bracket: usize) -> Vec<Group> {
+    let mut runs: Vec<(String, Vec<(u32, &Number)>)> = vec![];
     for number in numbers {
-        let (target, index) = number.without(bracket).unwrap_or((number.target.to_owned(), 0));
+        let (target, index) = number.without(bracket).unwrap_or((number.target.clone(), 0));
         match runs.iter_mut().find(|run| run.0 == target) {
             Some(run) => run.1.push((index, number)),
             None => runs.push((target, vec![(index, number)])),
@@ -101,51 +101,44 @@ fn by_index(numbers: &[Number<'_>], bracket: usize) -> Vec<Group> {
         None => groups.push(Group { last, parts: vec![part] }),
     };
     for (target, run) in runs {
-        let stride = run.get(1).map(|second| second.1.low - run[0].1.low);
+        let first = run[0].1;
+        let stride = run.get(1).and_then(|second| second.1.low.checked_sub(first.low));
         let lies = |i: usize| {
             let (index, number) = run[i];
-            index == i as u32
-                && number.word == run[0].1.word
-                && Some(number.low) == stride.map(|n| run[0].1.low + n * i as u32)
+            let same = (number.word, number.bits, number.conversion) == (first.word, first.bits, first.conversion);
+            same && index == i as u32 && Some(number.low) == stride.map(|n| first.low + n * index)
         };
         match run.len() > 1 && (0..run.len()).all(lies) {
-            true => push(Some(run.len() as u32 - 1), run[0].1.part(target, stride)),
-            false => run.iter().for_each(|(_, number)| push(None, number.part(number.target.to_owned(), None))),
+            true => push(Some(run.len() as u32 - 1), first.part(target, stride)),
+            false => run.iter().for_each(|(_, number)| push(None, number.part(number.target.clone(), None))),
         }
     }
     groups
 }
 
-/// What the stage gets from the words.
+/// What the stage gets from the words: every number of them, and nothing else but its handshakes.
 fn bundles(design: &VolumeDesign) -> Vec<Bundle> {
     let words = design.words();
-    let bundle = |bundle: vhdl::Bundle| {
-        let place = |port: &str| {
-            let all = words.iter().flat_map(|word| word.numbers.iter().map(|number| (word.name, number)));
-            all.into_iter().find(|(_, number)| number.0 == port).map(|(word, number)| (word, number.1, number.2))
+    let numbers = || words.iter().flat_map(|word| word.numbers.iter().map(|number| (word.name, number)));
+    let mut cut = 0;
+    let mut bundle = |bundle: vhdl::Bundle| {
+        let number = |(port, target, signed): &(String, String, bool)| {
+            let (word, (_, low, bits)) =
+                numbers().find(|(_, number)| number.0 == *port).unwrap_or_else(|| panic!("{port} is in no word"));
+            let conversion = if *signed { "signed" } else { "unsigned" };
+            Number { target: format!("{STAGE}{target}"), conversion, word, low: *low, bits: *bits }
         };
-        let number = |(port, target, signed): &'_ (String, String, bool)| {
-            let (word, low, bits) = place(port)?;
-            let conversion = Some(if *signed { "signed" } else { "unsigned" });
-            Some((format!("{STAGE}{target}"), conversion, word, low, bits))
-        };
-        let numbers: Option<Vec<_>> = bundle.numbers.iter().map(number).collect();
-        let numbers = numbers?;
-        let numbers: Vec<Number<'_>> = numbers
-            .iter()
-            .map(|(target, conversion, word, low, bits)| Number {
-                target,
-                conversion: *conversion,
-                word,
-                low: *low,
-                bits: *bits,
-            })
-            .collect();
+        let numbers: Vec<Number> = bundle.numbers.iter().map(number).collect();
+        cut += numbers.len();
         let lines = |groups: &Vec<Group>| groups.iter().map(|group| group.parts.len()).sum::<usize>();
-        let groups = (0..2).map(|bracket| by_index(&numbers, bracket)).min_by_key(lines)?;
-        Some(Bundle { name: bundle.name, ty: bundle.ty, groups })
+        let groups = (0..2).map(|bracket| by_index(&numbers, bracket)).min_by_key(lines).expect("two ways");
+        assert!(groups.iter().filter(|group| group.last.is_some()).count() < 2, "{}: two loops", bundle.name);
+        Bundle { name: bundle.name, ty: bundle.ty, groups }
     };
-    vhdl::bundles(&design.stage).into_iter().filter_map(bundle).collect()
+    let is_number = |bundle: &vhdl::Bundle| !["reset", "in_valid"].contains(&&bundle.name[..]);
+    let all = vhdl::bundles(&design.stage).into_iter().filter(is_number).map(&mut bundle).collect();
+    assert_eq!(cut, numbers().count(), "numbers of the words");
+    all
 }
 
 /// Stands before the names of what goes to ports of the stage.
