@@ -44,12 +44,12 @@ begin
 {%- if let Some(last) = group.last %}
   each_{{ bundle.name }} : for i in 0 to {{ last }} generate
 {%- for part in group.parts %}
-    {{ part.target }} <= {% if let Some(conversion) = part.conversion %}{{ conversion }}({{ part.word }}({{ part.bits }})){% else %}{{ part.word }}({{ part.bits }}){% endif %};
+    {{ part.target }} <= {{ part.value }};
 {%- endfor %}
   end generate each_{{ bundle.name }};
 {%- else %}
 {%- for part in group.parts %}
-  {{ part.target }} <= {% if let Some(conversion) = part.conversion %}{{ conversion }}({{ part.word }}({{ part.bits }})){% else %}{{ part.word }}({{ part.bits }}){% endif %};
+  {{ part.target }} <= {{ part.value }};
 {%- endfor %}
 {%- endif %}
 {%- endfor %}

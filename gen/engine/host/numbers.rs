@@ -122,8 +122,7 @@ impl Numbers {
         let pose = self.pose(headers, m, t)?;
         let fine = m.map(|row| row.map(Fine::of));
         let matrix = Frame::matrix(&pose, &self.format);
-        let rows =
-            (0..self.format.directions.count()).step_by(2).map(|h| self.row(h, m, &fine)).collect::<Result<_, _>>()?;
+        let rows = self.rows(m, &fine)?;
         Ok(Query {
             sides: images.map(|(_, side)| side),
             limit: 0,
@@ -189,6 +188,11 @@ impl Numbers {
         let step = FINE - self.format.origin_fraction();
         let missed = exact.iter().zip(rounded).map(|(x, &rounded)| (x.floor - (rounded << step)).abs() + x.above);
         (up(missed.sum(), FINE - grid) + i64::from(self.format.shift_rounding())) as u32
+    }
+
+    /// The rows of a query.
+    pub(super) fn rows(&self, m: &[[f64; 3]; 3], fine: &[[Fine; 3]; 3]) -> Result<Vec<QueryRow>, Refusal> {
+        (0..self.format.directions.count()).step_by(2).map(|h| self.row(h, m, fine)).collect()
     }
 
     /// The row of a direction h: w = M^T h as a sum of three directions, and an upper bound of what the rounded factors miss. With

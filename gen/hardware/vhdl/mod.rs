@@ -21,16 +21,20 @@ use entity::Entity;
 use std::collections::{BTreeSet, HashSet};
 use std::rc::Rc;
 
+/// Names without their ending, and texts.
+type Files = Vec<(String, String)>;
+
 /// Prints a hierarchy: file names without their ending and texts, in the order of compilation, the package first. `package`
 /// is its name; `prefix` stands before it and before the names of all entities; `origin` stands above the header of the top.
 ///
 /// # Errors
 /// A name that some tool would refuse.
 pub fn print(top: &Rc<Module>, prefix: &str, package: &str, origin: &[String]) -> Result<Vec<(String, String)>, Clash> {
-    print_with(top, prefix, package, origin, true)
+    Ok(printed(top, prefix, package, origin, true)?.0)
 }
 
-/// The same for a top around which an entity is written by hand: its ports are [`bundles`], as those of all entities below a top.
+/// The same for a top around which an entity is written by hand: its ports are bundles, as those of all entities below a top. Also
+/// its input ports.
 ///
 /// # Errors
 /// A name that some tool would refuse.
@@ -41,24 +45,38 @@ pub fn print_inner(
     prefix: &str,
     package: &str,
     origin: &[String],
-) -> Result<Vec<(String, String)>, Clash> {
-    print_with(top, prefix, package, origin, false)
+) -> Result<(Files, Vec<Bundle>), Clash> {
+    let (files, types) = printed(top, prefix, package, origin, false)?;
+    let bundle = |object: shape::Object| Bundle {
+        ty: types.name(&object.shape),
+        numbers: object
+            .members
+            .iter()
+            .map(|(id, subs)| (top.signal(top.inputs[id.0]), subs))
+            .map(|(signal, subs)| (signal.place.to_string(), object.part(subs).to_string(), signal.ty.signed))
+            .collect(),
+        name: object.name,
+    };
+    let ports = view::ports(&shape::Records::of(&top.hierarchy()), top).into_iter();
+    Ok((files, ports.filter_map(|(input, object)| input.then(|| bundle(object))).collect()))
 }
 
-/// `raw`: the ports of the top are words.
-fn print_with(
+/// The files and the types in them. `raw`: the ports of the top are words.
+fn printed(
     top: &Rc<Module>,
     prefix: &str,
     package: &str,
     origin: &[String],
     raw: bool,
-) -> Result<Vec<(String, String)>, Clash> {
+) -> Result<(Files, shape::Types), Clash> {
     let package = &format!("{prefix}{package}");
     let modules = top.hierarchy();
     let records = shape::Records::of(&modules);
     let is_top = |module: &Rc<Module>| Rc::ptr_eq(module, top);
     let views: Vec<view::View> = modules.iter().map(|m| view::View::new(m, &records, raw && is_top(m))).collect();
-    let types = types(&views);
+    let mut types = shape::Types::default();
+    views.iter().for_each(|view| view.shapes().for_each(|shape| types.include(shape)));
+    types.sort();
     let name = |module: &Module| format!("{prefix}{}", module.name);
     let mut in_use: HashSet<String> = modules.iter().map(|m| name(m)).collect();
     in_use.extend(package::names(&types));
@@ -73,14 +91,7 @@ fn print_with(
     }
     let text = package::text(package, &types, &functions, &files);
     files.insert(0, (package.to_owned(), text));
-    Ok(files)
-}
-
-fn types(views: &[view::View<'_>]) -> shape::Types {
-    let mut types = shape::Types::default();
-    views.iter().for_each(|view| view.shapes().for_each(|shape| types.include(shape)));
-    types.sort();
-    types
+    Ok((files, types))
 }
 
 /// An input port of a top that [`print_inner`] prints.
@@ -92,26 +103,6 @@ pub struct Bundle {
     pub ty: String,
     /// The numbers in it: what each is called in the netlist, which part of the port it is, and whether it is signed; flags are not.
     pub numbers: Vec<(String, String, bool)>,
-}
-
-/// The input ports of a top that [`print_inner`] prints.
-#[doc(hidden)]
-pub fn bundles(top: &Rc<Module>) -> Vec<Bundle> {
-    let modules = top.hierarchy();
-    let records = shape::Records::of(&modules);
-    let views: Vec<view::View> = modules.iter().map(|m| view::View::new(m, &records, false)).collect();
-    let types = types(&views);
-    let bundle = |object: shape::Object| Bundle {
-        ty: types.name(&object.shape),
-        numbers: object
-            .members
-            .iter()
-            .map(|(id, subs)| (top.signal(top.inputs[id.0]), subs))
-            .map(|(signal, subs)| (signal.place.to_string(), object.part(subs).to_string(), signal.ty.signed))
-            .collect(),
-        name: object.name,
-    };
-    view::ports(&records, top).into_iter().filter_map(|(input, object)| input.then(|| bundle(object))).collect()
 }
 
 /// What the text of a module declares: the name of each signal or output port, and the signals of the netlist in it.

@@ -48,9 +48,7 @@ struct Group {
 /// A part of a port, and where it is in a word.
 struct Part {
     target: String,
-    conversion: Option<&'static str>,
-    word: &'static str,
-    bits: String,
+    value: String,
 }
 
 /// A number in a word: the part of a bundle, its lowest bit, and how many it has.
@@ -81,7 +79,8 @@ impl Number {
         };
         let (low, high) = (at(self.low), at(self.low + self.bits - 1));
         let bits = if self.bits == 1 { low } else { format!("{high} downto {low}") };
-        Part { target, conversion: (self.bits > 1).then_some(self.conversion), word: self.word, bits }
+        let value = format!("{}({bits})", self.word);
+        Part { target, value: if self.bits == 1 { value } else { format!("{}({value})", self.conversion) } }
     }
 }
 
@@ -117,7 +116,7 @@ fn by_index(numbers: &[Number], bracket: usize) -> Vec<Group> {
 }
 
 /// What the stage gets from the words: every number of them, and nothing else but its handshakes.
-fn bundles(design: &VolumeDesign) -> Vec<Bundle> {
+fn bundles(design: &VolumeDesign, ports: Vec<vhdl::Bundle>) -> Vec<Bundle> {
     let words = design.words();
     let numbers = || words.iter().flat_map(|word| word.numbers.iter().map(|number| (word.name, number)));
     let mut cut = 0;
@@ -136,7 +135,7 @@ fn bundles(design: &VolumeDesign) -> Vec<Bundle> {
         Bundle { name: bundle.name, ty: bundle.ty, groups }
     };
     let is_number = |bundle: &vhdl::Bundle| !["reset", "in_valid"].contains(&&bundle.name[..]);
-    let all = vhdl::bundles(&design.stage).into_iter().filter(is_number).map(&mut bundle).collect();
+    let all = ports.into_iter().filter(is_number).map(&mut bundle).collect();
     assert_eq!(cut, numbers().count(), "numbers of the words");
     all
 }
@@ -175,7 +174,7 @@ fn words(design: &VolumeDesign) -> Vec<Word> {
 /// # Errors
 /// A name that some tool would refuse.
 pub fn volume_files(design: &VolumeDesign, prefix: &Prefix) -> Result<Vec<(String, String)>, Clash> {
-    let mut files = vhdl::print_inner(&design.stage, &prefix.of(""), PACKAGE, &origin())?;
+    let (mut files, ports) = vhdl::print_inner(&design.stage, &prefix.of(""), PACKAGE, &origin())?;
     let VolumeDesign { interval, latency, .. } = *design;
     let unit = VolumeUnit {
         header: origin(),
@@ -184,7 +183,7 @@ pub fn volume_files(design: &VolumeDesign, prefix: &Prefix) -> Result<Vec<(Strin
         interval,
         latency,
         words: words(design),
-        bundles: bundles(design),
+        bundles: bundles(design, ports),
     };
     files.push((prefix.of(NAME), unit.render().expect("the template renders")));
     Ok(files.into_iter().map(|(name, text)| (format!("{name}.vhd"), text)).collect())

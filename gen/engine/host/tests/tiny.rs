@@ -37,11 +37,7 @@ fn frame(numbers: &Numbers, m: &Matrix, t: [i64; 3]) -> Option<Frame> {
     };
     let matrix = Frame::matrix(&pose, format);
     let errors = [0, 1, 2].map(|axis| numbers.shift_error(&fine[axis], &matrix[axis]));
-    let rows = (0..format.directions.count())
-        .step_by(2)
-        .map(|h| numbers.row(h, &real, &fine))
-        .collect::<Result<_, _>>()
-        .ok()?;
+    let rows = numbers.rows(&real, &fine).ok()?;
     Some(Frame::new(&pose, errors, rows, format))
 }
 
