@@ -235,13 +235,13 @@ fn mistakes_in_the_text_are_noticed() {
     let stimulus = VolumeStimulus::random(&design.format, 150, 5);
     let mistakes = [
         // A floor in place of the ceiling of U.
-        ("volume_path.vhd", "(2047, 1023, 511, 255, 127, 63, 31,", "(0, 0, 0, 0, 0, 0, 0,"),
+        ("volume_rows.vhd", "(2047, 1023, 511, 255, 127, 63, 31,", "(0, 0, 0, 0, 0, 0, 0,"),
         // The code of a direction in place of that of the opposite one.
-        ("volume_path.vhd", "a_code_h4(m)(1)", "a_code_h4(m)(0)"),
+        ("volume_tests.vhd", "a_code_h4(m)(1)", "a_code_h4(m)(0)"),
         // No rest.
         ("volume_row_sum.vhd", "resize(rest, 14) + ", ""),
         // The errors of the shift left out.
-        ("volume_path.vhd", "resize(query_error_resized_h6(i), 27) + ", ""),
+        ("volume_bounds.vhd", "resize(query_error_resized_h6(i), 27) + ", ""),
         // Apart where the volumes touch.
         ("volume_direction_test.vhd", "reach + resize(v(k), 29)", "reach + resize(v(k), 29) - 1"),
         // One child of B in place of the other.

@@ -85,6 +85,7 @@ end entity efsat;
 
 architecture rtl of efsat is
   signal control_phase : unsigned(3 downto 0);
+  signal control_load_pair : std_logic;
   signal control_holds : std_logic_vector(5 downto 0);
   signal control_accept : std_logic;
   signal control_decide : std_logic;
@@ -122,8 +123,8 @@ begin
   out_outside <= offered_word(24);
   control : entity work.sequencer
     port map (clk => clk, reset => reset, in_valid => in_valid, pose_valid => pose_valid, out_ready => out_ready,
-              phase => control_phase, holds => control_holds, in_ready => in_ready, accept => control_accept,
-              decide => control_decide, out_valid => out_valid, take => control_take,
+              phase => control_phase, load_pair => control_load_pair, holds => control_holds, in_ready => in_ready,
+              accept => control_accept, decide => control_decide, out_valid => out_valid, take => control_take,
               accept_address => control_accept_address, decide_address => control_decide_address,
               take_address => control_take_address, pose_ready => pose_ready, pose_accept => control_pose_accept);
   path : entity work.pair_pipeline
@@ -135,7 +136,7 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if control_accept = '1' then
+      if control_load_pair = '1' then
         pair_v(0)(0) <= signed(in_v0_x);
         pair_v(0)(1) <= signed(in_v0_y);
         pair_v(0)(2) <= signed(in_v0_z);

@@ -16,6 +16,7 @@ entity sequencer is
     pose_valid     : in  std_logic;
     out_ready      : in  std_logic;
     phase          : out unsigned(3 downto 0);
+    load_pair      : out std_logic;
     holds          : out std_logic_vector(5 downto 0);
     in_ready       : out std_logic;
     accept         : out std_logic;
@@ -69,6 +70,7 @@ begin
   output_free <= not offered or out_ready;
   take_pair <= not empty and output_free;
   takes_pose <= running and pose_phase;
+  load_pair <= in_valid and last_phase;
   accept_address <= accepted(3 downto 0);
   decide_address <= decided(3 downto 0);
   take_address <= taken(3 downto 0);

@@ -16,6 +16,7 @@ entity sequencer is
     pose_valid     : in  std_logic;
     out_ready      : in  std_logic;
     phase          : out std_logic;
+    load_pair      : out std_logic;
     holds          : out std_logic_vector(17 downto 0);
     in_ready       : out std_logic;
     accept         : out std_logic;
@@ -74,6 +75,7 @@ begin
   takes_pose <= running and not pose_pending;
   pose_waits <= pose_pending and not load_pose;
   pose_pending_next <= pose_waits or (pose_valid and takes_pose);
+  load_pair <= in_valid and last_phase;
   accept_address <= accepted(4 downto 0);
   decide_address <= decided(4 downto 0);
   take_address <= taken(4 downto 0);

@@ -15,6 +15,7 @@ entity sequencer is
     in_valid       : in  std_logic;
     pose_valid     : in  std_logic;
     out_ready      : in  std_logic;
+    load_pair      : out std_logic;
     in_ready       : out std_logic;
     accept         : out std_logic;
     decide         : out std_logic;
@@ -60,7 +61,7 @@ architecture rtl of sequencer is
 begin
   taken_turned <= taken + 64;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
-  accepts <= running and '1' and not full;
+  accepts <= running and not full;
   accept_pair <= in_valid and accepts;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
@@ -104,7 +105,7 @@ begin
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
         pose_pending <= pose_pending_next;
-        load_pose <= pose_pending_next and '1';
+        load_pose <= pose_pending_next;
       end if;
       if reset = '1' then
         accepted <= to_unsigned(0, 7);
@@ -129,6 +130,7 @@ begin
   end process state;
 
   -- Outputs
+  load_pair <= in_valid;
   in_ready <= accepts;
   accept <= accept_pair;
   decide <= decide_pair;

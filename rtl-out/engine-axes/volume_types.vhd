@@ -28,6 +28,7 @@ package volume_types is
   type signed_23_x3_t is array (0 to 2) of signed(22 downto 0);
   type signed_26_x3_t is array (0 to 2) of signed(25 downto 0);
   constant zero_signed_26_x3 : signed_26_x3_t := (others => (others => '0'));
+  type signed_28_x3_t is array (0 to 2) of signed(27 downto 0);
   type signed_10_x6_t is array (0 to 5) of signed(9 downto 0);
   type signed_10_x9_t is array (0 to 8) of signed(9 downto 0);
   constant zero_signed_10_x9 : signed_10_x9_t := (others => (others => '0'));

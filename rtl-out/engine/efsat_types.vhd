@@ -70,6 +70,7 @@ package efsat_types is
   type signed_31_x5_t is array (0 to 4) of signed(30 downto 0);
   type signed_33_x5_t is array (0 to 4) of signed(32 downto 0);
   type signed_41_x5_t is array (0 to 4) of signed(40 downto 0);
+  type unsigned_21_x8_t is array (0 to 7) of unsigned(20 downto 0);
   type unsigned_21_x9_t is array (0 to 8) of unsigned(20 downto 0);
   constant zero_unsigned_21_x9 : unsigned_21_x9_t := (others => (others => '0'));
   type unsigned_29_x9_t is array (0 to 8) of unsigned(28 downto 0);

@@ -66,6 +66,7 @@ entity efsat is
 end entity efsat;
 
 architecture rtl of efsat is
+  signal control_load_pair : std_logic;
   signal control_accept : std_logic;
   signal control_decide : std_logic;
   signal control_take : std_logic;
@@ -97,9 +98,9 @@ begin
   offered_overlapping <= offered_word(19 downto 11);
   out_outside <= offered_word(20);
   control : entity work.sequencer
-    port map (clk => clk, reset => reset, in_valid => in_valid, out_ready => out_ready, in_ready => in_ready,
-              accept => control_accept, decide => control_decide, out_valid => out_valid, take => control_take,
-              accept_address => control_accept_address, decide_address => control_decide_address,
+    port map (clk => clk, reset => reset, in_valid => in_valid, out_ready => out_ready, load_pair => control_load_pair,
+              in_ready => in_ready, accept => control_accept, decide => control_decide, out_valid => out_valid,
+              take => control_take, accept_address => control_accept_address, decide_address => control_decide_address,
               take_address => control_take_address);
   path : entity work.pair_pipeline
     port map (clk => clk, in_v => pair_v, in_w => pair_w, verdict => path_verdict, outside => path_outside,
@@ -109,7 +110,7 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if in_valid = '1' then
+      if control_load_pair = '1' then
         pair_v(0)(0) <= signed(in_v0_x);
         pair_v(0)(1) <= signed(in_v0_y);
         pair_v(0)(2) <= signed(in_v0_z);

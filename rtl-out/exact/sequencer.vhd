@@ -14,6 +14,7 @@ entity sequencer is
     reset          : in  std_logic;
     in_valid       : in  std_logic;
     out_ready      : in  std_logic;
+    load_pair      : out std_logic;
     in_ready       : out std_logic;
     accept         : out std_logic;
     decide         : out std_logic;
@@ -51,7 +52,7 @@ architecture rtl of sequencer is
 begin
   taken_turned <= taken + 32;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
-  accepts <= running and '1' and not full;
+  accepts <= running and not full;
   accept_pair <= in_valid and accepts;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
@@ -112,6 +113,7 @@ begin
   end process state;
 
   -- Outputs
+  load_pair <= in_valid;
   in_ready <= accepts;
   accept <= accept_pair;
   decide <= decide_pair;

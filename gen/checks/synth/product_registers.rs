@@ -3,11 +3,15 @@
 //! Virtex-II's MULT18X18S, ECP5's MULT18X18D and Nexus' MULT18X18 and MULT9X9 have a register behind the product. The
 //! vendors' tools put the register of the design there that directly follows; Yosys does not. On Virtex-II it is counted
 //! as part of the multiplier; on the other two the netlist is changed before it is placed ([`pack`]).
+//!
+//! ECP5's has registers in front of its operands too. Where a whole operand comes from registers that have no logic in front of
+//! them, these are of use there alone: what is shared by multipliers far apart is then copied, and the nets end in registers
+//! ([`pack_operands`]).
 
 use super::ToolError;
 use super::netlist::{Bit, Cell, Level, Module, Netlist, is_flip_flop};
 use efsat_hardware::device::Family;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 /// Names of a family's multipliers and flip-flops, and which flip-flops a multiplier can take in.
@@ -265,13 +269,97 @@ pub fn pack(netlist: &mut Netlist, family: Family) -> u64 {
     packed
 }
 
-/// [`pack`] on a netlist that Yosys has written to `from`; the changed one is written to `to`.
+/// Moves registers of operands into the multipliers of a netlist for the ECP5; returns how many operands have theirs there. A
+/// flip-flop that something else reads stays beside its copies.
+pub fn pack_operands(netlist: &mut Netlist) -> u64 {
+    let mut packed = 0;
+    for module in netlist.modules.values_mut() {
+        let mut loads: HashMap<u64, usize> = HashMap::new();
+        for net in module.ports.values().flat_map(|port| &port.bits).filter_map(|bit| bit.net()) {
+            *loads.entry(net).or_default() += 1;
+        }
+        // What drives each net: a flip-flop, with what it loads and its clock, or a multiplier.
+        let mut flip_flops: HashMap<u64, (String, Bit, Bit)> = HashMap::new();
+        let mut registered: HashSet<u64> = HashSet::new();
+        for (name, cell) in &module.cells {
+            let controls = [ECP5.clock, ECP5.enable, ECP5.reset].map(|port| cell.bit(port));
+            let output = if is_flip_flop(&cell.kind) { cell.bit("Q").and_then(Bit::net) } else { None };
+            if let (Some(output), Some(data), Some(clock)) = (output, cell.bit(ECP5.data), controls[0]) {
+                registered.insert(output);
+                if ECP5.can_do(cell, controls) {
+                    flip_flops.insert(output, (name.clone(), data, clock));
+                }
+            }
+            let is_output =
+                |port: &str| port == "Q" && output.is_some() || ECP5.is_multiplier(cell) && ECP5.is_product(port);
+            for (port, bits) in &cell.connections {
+                for net in bits.iter().filter_map(|bit| bit.net()) {
+                    if !is_output(port) {
+                        *loads.entry(net).or_default() += 1;
+                    } else if ECP5.is_multiplier(cell) {
+                        registered.insert(net);
+                    }
+                }
+            }
+        }
+        let multipliers = module.cells.iter().filter(|(_, cell)| ECP5.is_multiplier(cell));
+        let multipliers: Vec<String> = multipliers.map(|(name, _)| name.clone()).collect();
+        for (name, operand) in multipliers.iter().flat_map(|name| ["A", "B"].map(|operand| (name, operand))) {
+            let cell = &module.cells[name];
+            let ports = (0..18).map(|i| format!("{operand}{i}"));
+            let bits: Vec<(String, Bit)> = ports.filter_map(|port| Some((port.clone(), cell.bit(&port)?))).collect();
+            let parameter = format!("REG_INPUT{operand}_CLK");
+            let free = cell.parameter(&parameter).is_none_or(|clock| clock == "NONE");
+            let clock = bits.iter().find_map(|(_, bit)| flip_flops.get(&bit.net()?)).map(|found| found.2);
+            let own = cell.bit("CLK0").filter(|bit| bit.net().is_some());
+            let Some(clock) = clock.filter(|clock| free && own.is_none_or(|own| own == *clock)) else { continue };
+            // A register begins with zeros.
+            let moved = |(port, bit): &(String, Bit)| match bit.net() {
+                None => (*bit != ALWAYS).then(|| (port.clone(), *bit, None)),
+                Some(net) => {
+                    let (name, data, of) = flip_flops.get(&net)?;
+                    let far = data.net().is_none_or(|net| registered.contains(&net));
+                    (far && *of == clock && *data != ALWAYS).then(|| (port.clone(), *data, Some((net, name.clone()))))
+                }
+            };
+            let Some(moved) = bits.iter().map(moved).collect::<Option<Vec<_>>>() else { continue };
+            let cell = module.cells.get_mut(name).expect("it is there");
+            for (parameter, value) in [("CLK", "CLK0"), ("CE", "CE0"), ("RST", "RST0")] {
+                cell.set(&format!("REG_INPUT{operand}_{parameter}"), value);
+            }
+            for (port, bit) in [("CLK0", clock), ("CE0", ALWAYS), ("RST0", NEVER)] {
+                cell.connect(port, bit);
+            }
+            for (port, data, from) in &moved {
+                cell.connections.insert(port.clone(), vec![*data]);
+                data.net().iter().filter(|_| from.is_some()).for_each(|net| *loads.entry(*net).or_default() += 1);
+            }
+            for (net, flip_flop) in moved.into_iter().filter_map(|(_, _, from)| from) {
+                let left = loads.entry(net).or_default();
+                *left -= 1;
+                if *left == 0
+                    && let Some(gone) = module.cells.remove(&flip_flop)
+                    && let Some(before) = gone.bit(ECP5.data).and_then(Bit::net)
+                {
+                    *loads.entry(before).or_default() -= 1;
+                }
+            }
+            packed += 1;
+        }
+    }
+    packed
+}
+
+/// [`pack`], and on the ECP5 [`pack_operands`], on a netlist that Yosys has written to `from`; the changed one is written to `to`.
 ///
 /// # Errors
 /// What cannot be read or written.
 pub fn pack_file(from: &Path, to: &Path, family: Family) -> Result<(), ToolError> {
     let mut netlist = Netlist::read(from)?;
     pack(&mut netlist, family);
+    if family == Family::Ecp5 {
+        pack_operands(&mut netlist);
+    }
     netlist.write(to)
 }
 
@@ -388,6 +476,62 @@ mod tests {
         assert_eq!(mode("CLKMUX", "INV", &["a", "b"]), 0);
         assert_eq!(mode("REGSET", "SET", &["a", "b"]), 0);
         assert_eq!(mode("REGSET", "SET", &["b"]), 0);
+    }
+
+    /// Two multipliers that read `a` and, of the first of them, `b`; `a` is behind `x`, `b` behind `y`; `more` are cells beside them.
+    fn operands(y: &str, more: &str) -> Netlist {
+        let flip_flop = |d: u64, q: u64| {
+            format!(r#"{{"type": "TRELLIS_FF", "connections": {{"DI": [{d}], "Q": [{q}], "CLK": [1], "LSR": ["0"]}}}}"#)
+        };
+        let multiplier = |b: u64, p: u64| {
+            format!(r#"{{"type": "MULT18X18D", "connections": {{"A0": [3], "A1": ["0"], "B0": [{b}], "P0": [{p}]}}}}"#)
+        };
+        let cells = [
+            ("x", flip_flop(8, 2)),
+            ("a", flip_flop(2, 3)),
+            ("y", y.replace("NET", "4")),
+            ("b", flip_flop(4, 5)),
+            ("m", multiplier(5, 6)),
+            ("n", multiplier(8, 7)),
+        ];
+        let cells = cells.map(|(name, cell)| format!(r#""{name}": {cell}"#)).join(", ");
+        serde_json::from_str(&format!(r#"{{"modules": {{"top": {{"cells": {{{cells}{more}}}}}}}}}"#)).unwrap()
+    }
+
+    #[test]
+    fn registers_of_operands_move_into_each_multiplier() {
+        let inner = r#"{"type": "MULT18X18D", "connections": {"P0": [NET]}}"#;
+        let table = r#"{"type": "LUT4", "connections": {"A": [8], "Z": [NET]}}"#;
+        let reader = r#", "r": {"type": "LUT4", "connections": {"A": [3], "Z": [9]}}"#;
+        // Operands taken in, and whether the flip-flops are left.
+        let found = |y: &str, more: &str| {
+            let mut netlist = operands(y, more);
+            let packed = pack_operands(&mut netlist);
+            let cells = &netlist.modules["top"].cells;
+            (packed, ["x", "a", "b"].map(|name| cells.contains_key(name)))
+        };
+        assert_eq!(found(inner, ""), (3, [true, false, false]));
+        assert_eq!(found(table, ""), (2, [true, false, true]), "a register behind logic stays");
+        assert_eq!(found(inner, reader), (3, [true, true, false]), "one that is read elsewhere stays");
+        let mut netlist = operands(inner, "");
+        pack_operands(&mut netlist);
+        let n = &netlist.modules["top"].cells["n"];
+        assert_eq!(["A0", "B0", "CLK0"].map(|port| n.bit(port)), [2, 8, 1].map(|net| Some(Bit::Net(net))));
+        assert_eq!(["REG_INPUTA_CLK", "REG_INPUTB_CLK"].map(|name| n.parameter(name)), [Some("CLK0"), None]);
+        assert_eq!(pack_operands(&mut netlist), 0, "once more there is nothing to be moved");
+    }
+
+    #[test]
+    fn registers_of_operands_that_a_multiplier_cannot_be_stay_outside() {
+        let inner = r#"{"type": "MULT18X18D", "connections": {"P0": [NET]}}"#;
+        let with = |change: &dyn Fn(&mut Cell)| {
+            let mut netlist = operands(inner, "");
+            change(netlist.modules.get_mut("top").unwrap().cells.get_mut("a").unwrap());
+            pack_operands(&mut netlist)
+        };
+        assert_eq!(with(&|a| a.set("REGSET", "SET")), 1);
+        assert_eq!(with(&|a| a.connect("CE", Bit::Net(9))), 1);
+        assert_eq!(with(&|a| a.connect("CLK", Bit::Net(9))), 2, "of the first multiplier one clock");
     }
 
     #[test]

@@ -157,7 +157,9 @@ fn take_away(netlist: &mut Netlist) {
 /// What Yosys says.
 pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path) -> Result<(), ToolError> {
     let yosys = find()?;
-    let commands = format!("{}{}write_json {MAPPED}\n", read(family, source, dir)?, units(family, top));
+    // As one module, so that the registers in front of a multiplier are found.
+    let whole = if family == Family::Ecp5 { "flatten\nopt_clean\n" } else { "" };
+    let commands = format!("{}{}{whole}write_json {MAPPED}\n", read(family, source, dir)?, units(family, top));
     run(&yosys, "map", &commands, dir)?;
     let models = match family {
         Family::Ecp5 => {

@@ -107,8 +107,7 @@ pub fn unit(format: &EngineFormat, clocks: usize) -> Rc<graph::Block> {
     Library::with_prefix(PREFIX).block("path", &doc, clocks, |u| {
         let query = Query::new(u, format);
         let (a, b) = (Block::new(u, format, "a"), Block::new(u, format, "b"));
-        let ends = ends(u, format, &query, &a, &b);
-        let apart = apart(u, format, &query, &a, &b, ends);
+        let apart = apart(u, format, &query, &a, &b);
         let pairs = [(0, 0), (0, 1), (1, 0), (1, 1)];
         pairs.map(|(i, j)| (a.take[i] & b.take[j]) & !apart[i][j]).named("survive")
     })
@@ -126,14 +125,7 @@ fn ends<'l>(u: Top<'l>, format: &EngineFormat, query: &Query<'l>, a: &Block<'l>,
 }
 
 /// Whether some direction has child q of B apart from child p of A, as \[p\]\[q\].
-fn apart<'l>(
-    u: Top<'l>,
-    format: &EngineFormat,
-    query: &Query<'l>,
-    a: &Block<'l>,
-    b: &Block<'l>,
-    ends: Vec3<[Sig<'l>; 2]>,
-) -> [[Sig<'l>; 2]; 2] {
+fn apart<'l>(u: Top<'l>, format: &EngineFormat, query: &Query<'l>, a: &Block<'l>, b: &Block<'l>) -> [[Sig<'l>; 2]; 2] {
     let clocks = u.interval();
     // All units work on one child of B in a phase; with a single phase every other unit does.
     let jobs = |unit: usize| {
@@ -144,52 +136,64 @@ fn apart<'l>(
     };
     let groups = 2usize.div_ceil(clocks);
     // A unit that works on two directions works on opposite ones: with the second opposite codes and the ends change places.
-    let codes =
-        |job: &Job| (0..b.codes[0].len()).map(|j| b.codes[job.child][j ^ (job.direction & 1)]).collect::<Vec<_>>();
-    let codes = (0..groups).map(|group| jobs(group).map(codes).mux()).collect::<Vec<_>>().named("b_chosen");
     let of_unit = clocks.div_ceil(2);
-    let ends = match of_unit {
-        1 => ends,
-        _ => jobs(0).map(|job| ends.map(|[x, y]| if job.direction == 0 { [x, y] } else { [y, x] })).mux(),
-    };
-    // B_h, an upper bound of h . D in reals, of the directions that a unit begins with.
-    let bound = |first: usize| {
-        let axes = (0..3).zip(format.directions.vector(first)).filter(|(_, entry)| *entry != 0);
-        let sum = axes.map(|(axis, entry)| ends[axis][usize::from(entry < 0)]).reduce(|x, y| x + y);
-        sum.expect("a direction is not 0").bits(format.widths().base.bits())
-    };
-    let bounds = (0..format.directions.count()).step_by(of_unit).map(bound).collect::<Vec<_>>().named("bound");
-    let drop = format.factor_fraction();
-    let grid = format.grid_fraction() as i32;
-    let ceiling = ceiling(b.exponent, drop).named("ceiling");
-    let mut found: [[Vec<Sig<'l>>; 2]; 2] = Default::default();
-    for (group, codes) in codes.iter().enumerate() {
-        let test = |unit: usize| {
-            let jobs = jobs(unit);
+    let doc = ["D, and what it reaches at most in the directions that units begin with."];
+    let bounds = u.section("bounds", &doc, || {
+        let ends = ends(u, format, query, a, b);
+        let ends = match of_unit {
+            1 => ends,
+            _ => jobs(0).map(|job| ends.map(|[x, y]| if job.direction == 0 { [x, y] } else { [y, x] })).mux(),
+        };
+        // B_h, an upper bound of h . D in reals.
+        let bound = |first: usize| {
+            let axes = (0..3).zip(format.directions.vector(first)).filter(|(_, entry)| *entry != 0);
+            let sum = axes.map(|(axis, entry)| ends[axis][usize::from(entry < 0)]).reduce(|x, y| x + y);
+            sum.expect("a direction is not 0").bits(format.widths().base.bits())
+        };
+        (0..format.directions.count()).step_by(of_unit).map(bound).collect::<Vec<_>>().named("bound")
+    });
+    let (units, grid) = (2 * format.directions.count() / clocks, format.grid_fraction() as i32);
+    let doc = ["How far B reaches in each direction: its codes through the row."];
+    let reaches = u.section("rows", &doc, || {
+        // A unit that works on two directions works on opposite ones: with the second opposite codes and the ends change places.
+        let codes =
+            |job: &Job| (0..b.codes[0].len()).map(|j| b.codes[job.child][j ^ (job.direction & 1)]).collect::<Vec<_>>();
+        let codes = (0..groups).map(|group| jobs(group).map(codes).mux()).collect::<Vec<_>>().named("b_chosen");
+        let drop = format.factor_fraction();
+        let ceiling = ceiling(b.exponent, drop).named("ceiling");
+        let reach = |unit: usize| {
             let first = unit * clocks / 2;
-            let row = query.rows[first / 2];
+            let (row, codes) = (query.rows[first / 2], &codes[unit % groups]);
             let code = |slot: usize| {
                 let all: Vec<Sig<'l>> =
                     format.directions.slots()[slot].iter().map(|j| codes[usize::from(*j) ^ (first & 1)]).collect();
                 select_code(&all, row.choice[slot]).named_at(&format!("term{slot}"), unit)
             };
             let s = row_sum([0, 1, 2].map(code), row.factor, row.rest, ceiling).named_at("s", unit);
-            let u = align("sum", s, b.exponent, drop as i32, grid).named_at("u", unit);
-            let v = |i: usize| {
-                let code = jobs.map(|job| a.codes[i][job.direction ^ 1]).mux();
-                align("code", code, a.exponent, 0, grid)
-            };
-            let v = [0, 1].map(v).named_at("v", unit);
-            let bound = bounds[first / of_unit];
-            direction_test(format.widths().gap.bits(), bound, u, v).named_at("apart", unit)
+            align("sum", s, b.exponent, drop as i32, grid)
         };
-        let units: Vec<[Sig<'l>; 2]> =
-            (0..2 * format.directions.count() / clocks).skip(group).step_by(groups).map(test).collect();
-        let apart = [0, 1].map(|i| any(&units.iter().map(|apart| apart[i]).collect::<Vec<_>>()));
-        let apart = apart.named_at("apart_in_phase", group);
-        for (job, apart) in jobs(group).capture(&apart) {
-            (0..2).for_each(|i| found[i][job.child].push(apart[i]));
+        (0..units).map(reach).collect::<Vec<_>>().named("u")
+    });
+    let doc = ["The test in each direction, with A's code of the opposite one."];
+    u.section("tests", &doc, || {
+        let mut found: [[Vec<Sig<'l>>; 2]; 2] = Default::default();
+        for group in 0..groups {
+            let test = |unit: usize| {
+                let v = |i: usize| {
+                    let code = jobs(unit).map(|job| a.codes[i][job.direction ^ 1]).mux();
+                    align("code", code, a.exponent, 0, grid)
+                };
+                let v = [0, 1].map(v).named_at("v", unit);
+                let bound = bounds[unit * clocks / 2 / of_unit];
+                direction_test(format.widths().gap.bits(), bound, reaches[unit], v).named_at("apart", unit)
+            };
+            let tested: Vec<[Sig<'l>; 2]> = (group..units).step_by(groups).map(test).collect();
+            let apart = [0, 1].map(|i| any(&tested.iter().map(|apart| apart[i]).collect::<Vec<_>>()));
+            let apart = apart.named_at("apart_in_phase", group);
+            for (job, apart) in jobs(group).capture(&apart) {
+                (0..2).for_each(|i| found[i][job.child].push(apart[i]));
+            }
         }
-    }
-    found.map(|of_a| of_a.map(|flags| any(&flags))).named("apart_found")
+        found.map(|of_a| of_a.map(|flags| any(&flags))).named("apart_found")
+    })
 }

@@ -149,7 +149,7 @@ fn stage(path: &Rc<Module>, latency: usize, interval: usize) -> Rc<Module> {
     let one = m.constant(1, Type::FLAG);
     running.comment("clear in reset and in the first clock after").loads(one, None, Some((reset, 0)));
     let slots = Slots::new(&m, reset, interval);
-    let in_ready = if interval > 1 { running & slots.last } else { running };
+    let in_ready = slots.last.map_or(running, |last| running & last);
     let in_ready = in_ready.named("accepts");
     let accept = (in_valid & in_ready).named("accept");
     in_ready.output("in_ready");

@@ -98,6 +98,15 @@ impl Fact {
     }
 }
 
+/// A part of a block that is an entity of its own: what is made in it belongs to it, and everything keeps the clocks of the block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// Name, also of the entity.
+    pub name: String,
+    /// What it is, for the entity's header.
+    pub doc: Vec<String>,
+}
+
 /// A node: operation, operands, type, name and comment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
@@ -115,6 +124,8 @@ pub struct Node {
     pub named: bool,
     /// Equation or source, one line; may be empty.
     pub comment: String,
+    /// The section of the block in which it was made, if it was made in one.
+    pub section: Option<usize>,
 }
 
 impl Node {
@@ -150,14 +161,16 @@ pub struct Block {
     pub outputs: Vec<(Place, NodeId)>,
     /// What a probed design brings out.
     pub probes: Vec<Probe>,
+    /// Sections, in the order of the data.
+    pub sections: Vec<Section>,
     /// Range of every node over all phases and instances.
     ranges: RefCell<Vec<Range>>,
 }
 
 impl Block {
     pub(super) fn new(name: String, doc: Vec<String>, interval: usize) -> Self {
-        let ranges = RefCell::default();
-        Self { name, doc, interval, nodes: vec![], inputs: vec![], outputs: vec![], probes: vec![], ranges }
+        let (nodes, inputs, outputs, probes, sections) = (vec![], vec![], vec![], vec![], vec![]);
+        Self { name, doc, interval, nodes, inputs, outputs, probes, sections, ranges: RefCell::default() }
     }
 
     /// The same made of other nodes with these ranges, and where each is now. Those that are `kept` still have the operands of
@@ -184,6 +197,7 @@ impl Block {
             inputs,
             outputs,
             probes,
+            sections: self.sections.clone(),
             ranges,
         }
     }
@@ -208,7 +222,7 @@ impl Block {
     /// Whether another block is the same but for ranges.
     pub(super) fn same(&self, other: &Self) -> bool {
         (&self.nodes, &self.inputs, &self.outputs) == (&other.nodes, &other.inputs, &other.outputs)
-            && (self.interval, &self.doc) == (other.interval, &other.doc)
+            && (self.interval, &self.doc, &self.sections) == (other.interval, &other.doc, &other.sections)
     }
 
     /// Whether the block has a `phase` port: values of pairs are captured in some phase of a slot of several clocks, if only to

@@ -2,7 +2,7 @@
 
 mod operations;
 
-use super::block::{Block, Fact, Node, NodeId, Op, Probe, Rate};
+use super::block::{Block, Fact, Node, NodeId, Op, Probe, Rate, Section};
 use super::names;
 use super::place::{Place, Step};
 use crate::device::MULTIPLIER_BITS;
@@ -30,6 +30,8 @@ struct Draft {
     columns: usize,
     /// Values that are connected later, with what they are connected to.
     later: HashMap<usize, Option<NodeId>>,
+    /// The section in which nodes are made.
+    section: Option<usize>,
 }
 
 impl Draft {
@@ -129,7 +131,7 @@ impl Library {
         let doc = doc.iter().map(|line| (*line).to_owned()).collect();
         let block = Block::new(format!("{}{name}", self.prefix), doc, interval);
         let mut drafts = self.drafts.borrow_mut();
-        drafts.push(Draft { block, ranges: vec![], columns, later: HashMap::new() });
+        drafts.push(Draft { block, ranges: vec![], columns, later: HashMap::new(), section: None });
         drafts.len() - 1
     }
 
@@ -233,6 +235,33 @@ impl<'l> Top<'l> {
         sig
     }
 
+    /// A section of the block: what is made in it is an entity of its own, of that name. Clocks are those of the block.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let library = Library::default();
+    /// let block = library.block("double_square", &[], 1, |top| {
+    ///     let x = top.input(NUMBER, (-9, 9)).named("x");
+    ///     let square = top.section("square", &["x x"], || (x * x).named("xx"));
+    ///     (square + square).named("y")
+    /// });
+    /// let device = device::find("xc2v6000-4")?;
+    /// let (module, _) = Lowering::new(&mut Scheduler::new(device, 100), device).lower(&block, false);
+    /// assert_eq!(module.instances[0].module.name, "square");
+    /// # Ok::<(), device::DeviceError>(())
+    /// ```
+    pub fn section<R>(self, name: &str, doc: &[&str], make: impl FnOnce() -> R) -> R {
+        let begun = self.library.with(self.block, |draft| {
+            let doc = doc.iter().map(|line| (*line).to_owned()).collect();
+            draft.block.sections.push(Section { name: format!("{}{name}", self.library.prefix), doc });
+            draft.section.replace(draft.block.sections.len() - 1)
+        });
+        assert!(begun.is_none(), "section {name}: expected to begin outside of other sections");
+        let made = make();
+        self.library.with(self.block, |draft| draft.section = None);
+        made
+    }
+
     /// Number of phases.
     ///
     /// ```
@@ -316,7 +345,8 @@ impl Library {
     fn push(&self, block: usize, op: Op, args: Vec<NodeId>, ty: Type, rate: Rate, ranges: Vec<Range>) -> Sig<'_> {
         let id = self.with(block, |draft| {
             let (place, comment) = (Place::default(), String::new());
-            draft.block.nodes.push(Node { op, args, ty, rate, place, named: false, comment });
+            let section = draft.section;
+            draft.block.nodes.push(Node { op, args, ty, rate, place, named: false, comment, section });
             draft.ranges.push(ranges);
             NodeId(draft.block.nodes.len() - 1)
         });

@@ -29,7 +29,7 @@ pub use bundle::Bundle;
 pub use instance::{Port, Ports, instance};
 pub use phases::Phases;
 // For printing.
-pub use block::{Block, Fact, Node, NodeId, Op, Probe, Rate};
+pub use block::{Block, Fact, Node, NodeId, Op, Probe, Rate, Section};
 #[doc(hidden)]
 pub use place::{Place, Step, append_step};
 pub use signals::Signals;

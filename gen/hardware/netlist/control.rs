@@ -1,6 +1,6 @@
 //! Control logic: modules with state, written with copyable handles as units are.
 
-use super::module::{Driver, Instance, Module, Signal, SignalId};
+use super::module::{Driver, Home, Instance, Module, Signal, SignalId};
 use crate::graph::{Bundle, Place, Step};
 use crate::op::*;
 use std::cell::RefCell;
@@ -45,7 +45,7 @@ impl Control {
         let named = !place.is_empty();
         let (comment, range, clock) = (String::new(), None, None);
         let mut module = self.module.borrow_mut();
-        module.signals.push(Signal { place, named, ty, driver, comment, range, clock });
+        module.signals.push(Signal { place, named, ty, driver, comment, range, clock, home: Home::default() });
         Wire { control: self, id: SignalId(module.signals.len() - 1) }
     }
 

@@ -14,10 +14,11 @@
 
 mod multiplexer;
 mod phases;
+mod sections;
 mod tapped_line;
 
 use self::multiplexer::Digits;
-use super::module::{Driver, Instance, Module, Signal, SignalId};
+use super::module::{Driver, Home, Instance, Module, Signal, SignalId};
 use crate::device::Device;
 use crate::graph::{Block, Op, Place, Rate, Step};
 use crate::op::{Comb, Or, Type};
@@ -203,7 +204,7 @@ impl Lowered<'_> {
         let probes = if probed { self.probes() } else { vec![] };
         self.rest();
         self.out.latency = Some(latency);
-        (Rc::new(self.out.pruned()), probes)
+        (Rc::new(sections::divided(self.out.pruned(), &block.sections)), probes)
     }
 
     fn probes(&mut self) -> Vec<Probe> {
@@ -228,8 +229,8 @@ impl Lowered<'_> {
     }
 
     fn push(&mut self, place: Place, ty: Type, driver: Driver) -> SignalId {
-        let (comment, range, clock) = (String::new(), None, None);
-        self.out.signals.push(Signal { place, named: true, ty, driver, comment, range, clock });
+        let (comment, range, clock, home) = (String::new(), None, None, Home::default());
+        self.out.signals.push(Signal { place, named: true, ty, driver, comment, range, clock, home });
         SignalId(self.out.signals.len() - 1)
     }
 
@@ -237,8 +238,9 @@ impl Lowered<'_> {
     fn of_node(&mut self, i: usize, driver: Driver) -> SignalId {
         let node = &self.block.nodes[i];
         let (place, named, ty) = (node.place.clone(), node.named, node.ty);
+        let home = node.section.map_or(Home::Block, Home::Section);
         let id = self.push(place, ty, driver);
-        self.out.signals[id.0].named = named;
+        (self.out.signals[id.0].named, self.out.signals[id.0].home) = (named, home);
         let slot = self.schedule.slots[i];
         self.describe(id, i, (slot.from != i32::MIN).then_some(slot.from));
         self.base[i] = Some(id);

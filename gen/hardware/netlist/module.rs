@@ -113,6 +113,20 @@ pub struct Signal {
     pub range: Option<Range>,
     /// Clock of the pair's slot in which the value is first valid, where it has one.
     pub clock: Option<i32>,
+    /// Where it is, of a block with sections.
+    pub home: Home,
+}
+
+/// Where a signal of a block with sections is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Home {
+    /// Where it is read, if that is one place: a later copy, for example.
+    #[default]
+    WhereRead,
+    /// In the block itself.
+    Block,
+    /// In this one of its sections.
+    Section(usize),
 }
 
 /// An instance of a module.
@@ -160,6 +174,8 @@ pub struct Module {
     pub instances: Vec<Instance>,
     /// Clocks from inputs to outputs, for lowered blocks.
     pub latency: Option<i32>,
+    /// Whether it is a section of a lowered block, with the clocks of that.
+    pub section: bool,
 }
 
 impl Signal {
@@ -174,7 +190,17 @@ impl Module {
     pub(super) fn new(name: &str, doc: Vec<String>) -> Self {
         let (signals, inputs, outputs, instances) = (vec![], vec![], vec![], vec![]);
         let optional = HashMap::new();
-        Self { name: name.to_owned(), doc, signals, inputs, optional, outputs, instances, latency: None }
+        Self {
+            name: name.to_owned(),
+            doc,
+            signals,
+            inputs,
+            optional,
+            outputs,
+            instances,
+            latency: None,
+            section: false,
+        }
     }
 
     /// A signal.

@@ -237,8 +237,8 @@ impl Making<'_> {
     /// A node that is made for a sum.
     fn part(&mut self, op: Op, args: Vec<NodeId>, ty: Type, range: Range, (root, name): (usize, &str)) -> NodeId {
         let of = &self.block.nodes[root];
-        let node =
-            Node { op, args, ty, rate: of.rate, place: of.place.suffixed(name), named: false, comment: String::new() };
+        let (rate, place, section) = (of.rate, of.place.suffixed(name), of.section);
+        let node = Node { op, args, ty, rate, place, named: false, comment: String::new(), section };
         self.push(node, range)
     }
 

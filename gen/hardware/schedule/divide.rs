@@ -28,11 +28,12 @@ pub(super) fn divided(block: &Rc<Block>, device: &Device, room: f64) -> Rc<Block
         return Rc::clone(block);
     }
     let names = block.nodes.iter().map(Node::name).collect();
-    let mut division = Division { device, room, nodes: vec![], ranges: vec![], names };
+    let mut division = Division { device, room, nodes: vec![], ranges: vec![], names, section: None };
     let mut at: Vec<NodeId> = vec![];
     for (i, node) in block.nodes.iter().enumerate() {
         let id = match &node.op {
             Op::Comb(op) if long[i] => {
+                division.section = node.section;
                 let args: Vec<NodeId> = node.args.iter().map(|a| at[a.0]).collect();
                 let made = division.part(op.clone(), &args, &node.place, "");
                 division.in_place_of(node, made)
@@ -60,6 +61,8 @@ struct Division<'a> {
     nodes: Vec<Node>,
     ranges: Vec<Range>,
     names: HashSet<String>,
+    /// That of what is divided.
+    section: Option<usize>,
 }
 
 impl Division<'_> {
@@ -104,7 +107,8 @@ impl Division<'_> {
         while !self.names.insert(place.to_string()) {
             place = place.suffixed("part");
         }
-        let node = Node { op: Op::Comb(op), args, ty, rate, place, named: false, comment: String::new() };
+        let (comment, section) = (String::new(), self.section);
+        let node = Node { op: Op::Comb(op), args, ty, rate, place, named: false, comment, section };
         let id = self.keep(node);
         self.ranges[id.0] = range;
         id

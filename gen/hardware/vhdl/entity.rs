@@ -251,9 +251,19 @@ impl Printer<'_, '_> {
     /// All statements, clock by clock.
     fn blocks(&self) -> (Vec<Block>, BTreeSet<&'static str>) {
         let module = self.view.module;
-        let lowered = module.latency.is_some();
+        let lowered = module.latency.is_some() || module.section;
         let mut functions = BTreeSet::new();
         let mut blocks = vec![];
+        let mut lines = vec![];
+        for statement in merged(self.view.sections.iter().flat_map(|(_, around)| around.clone()).collect()) {
+            self.concurrent(&statement, 0, &mut functions, &mut lines);
+        }
+        for statement in self.view.sections.iter().flat_map(|(section, _)| section) {
+            self.concurrent(statement, 0, &mut functions, &mut lines);
+        }
+        if !lines.is_empty() {
+            blocks.push(Block { heading: "Sections, in the order of the data".to_owned(), lines });
+        }
         let mut clocks: BTreeSet<Option<i32>> = module.signals.iter().map(|s| s.clock).collect();
         clocks.extend(self.view.instances.iter().map(|i| i.0));
         for clock in clocks {

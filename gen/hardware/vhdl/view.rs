@@ -46,6 +46,8 @@ pub(super) struct View<'a> {
     pub lines: Vec<Line>,
     /// Instances, folded: the clock in which they begin, and what brings values to and from their ports.
     pub instances: Vec<(Option<i32>, Vec<Statement>, Vec<Statement>)>,
+    /// The sections: instances, and what brings values to and from their ports.
+    pub sections: Vec<(Vec<Statement>, Vec<Statement>)>,
     /// The name of each signal that has one.
     names: Vec<Option<Name>>,
     /// The signal behind each name.
@@ -88,6 +90,7 @@ impl<'a> View<'a> {
             between: vec![],
             lines: vec![],
             instances: vec![],
+            sections: vec![],
             names: vec![None; module.signals.len()],
             signals: HashMap::new(),
             shapes: HashMap::new(),
@@ -182,7 +185,8 @@ impl<'a> View<'a> {
     /// All names that the entity declares.
     pub fn declared(&self) -> Vec<String> {
         let objects = self.objects.iter().chain(&self.outputs).chain(&self.between).map(|o| o.name.clone());
-        let labels = self.instances.iter().flat_map(|i| &i.1).flat_map(Statement::labels);
+        let instances = self.instances.iter().flat_map(|i| &i.1).chain(self.sections.iter().flat_map(|s| &s.0));
+        let labels = instances.flat_map(Statement::labels);
         objects.chain(labels).chain(self.tables().into_iter().map(|t| t.name)).collect()
     }
 

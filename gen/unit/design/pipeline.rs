@@ -32,10 +32,14 @@ pub fn unit(p: &Params) -> Rc<Block> {
     Library::default().with_multiplier(multiplier(p)).block("pair_pipeline", &doc, p.interval(), |u| {
         let path = Path { u, p, formats: p.formats(), guards: Guards::new(u, p) };
         let Inputs { v, w, pose } = Inputs::new(u, p);
-        let b = pose.map(|pose| path.transformed(&w, &pose));
-        let (points, edges) = path.working(&v, &w, b.as_ref());
+        let doc = ["Section 3: B's vertices in A's frame."];
+        let b = pose.map(|pose| u.section("pair_transform", &doc, || path.transformed(&w, &pose)));
+        let doc = ["Section 4: the points at working width, and the edges."];
+        let (points, edges) = u.section("pair_points", &doc, || path.working(&v, &w, b.as_ref()));
         let outside = path.guards.outside();
-        let Flags { separated, overlapping, pierced } = tested_axes::axes(u, p, &points, &edges, outside);
+        let doc = ["Sections 5 and 6: the axes, and what each of them says."];
+        let flags = u.section("pair_axes", &doc, || tested_axes::axes(u, p, &points, &edges, outside));
+        let Flags { separated, overlapping, pierced } = flags;
         // Section 7.
         let separate = any(&separated).named("separate");
         let surely = (!(!overlapping[0].below(&overlapping[1..11])).any()).named("all_overlap");

@@ -90,9 +90,13 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     // The accepted count at which every place is promised.
     let turned = taken.count.plus(1 << address).named("taken_turned");
     let full = accepted.meets("full", turned, (reset, 0));
-    let in_ready = (running & slots.last & !full).named("accepts");
+    let in_ready = (slots.last.map_or(running, |last| running & last) & !full).named("accepts");
     let accept = (in_valid & in_ready).named("accept_pair");
     accepted.advance(accept, reset);
+    // A pair that waits for a place is loaded again in each slot: so what enables its registers, of which some are far from the
+    // others, is not the end of the logic that accepts.
+    let load = slots.last.map_or(in_valid, |last| (in_valid & last).named("load"));
+    load.output("load_pair");
 
     let holds = slots.holds(accept, latency as usize);
     if slots.phase.is_some() {
@@ -122,8 +126,7 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
         let pose_ready = match reading {
             PoseReading::NotLast => running & slots.in_phase("pose_phase", interval - 2),
             PoseReading::Always => {
-                let one = || m.constant(1, Type::FLAG);
-                let last_next = slots.phase.map_or_else(one, |phase| phase.is(interval as i128 - 2));
+                let last_next = slots.phase.map(|phase| phase.is(interval as i128 - 2));
                 pending_pose(&m, reset, running, pose_valid, last_next)
             }
         };
@@ -135,13 +138,13 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
 }
 
 /// A pose waits until the running slot is over, then takes effect for the next pair: whether one can be taken.
-/// `last_next` tells that the last phase follows.
+/// `last_next` tells that the last phase follows; without it every phase is the last.
 fn pending_pose<'m>(
     m: &'m Control,
     reset: Wire<'m>,
     running: Wire<'m>,
     pose_valid: Wire<'m>,
-    last_next: Wire<'m>,
+    last_next: Option<Wire<'m>>,
 ) -> Wire<'m> {
     let pending = m.register("pose_pending", Type::FLAG);
     let load = m.register("load_pose", Type::FLAG);
@@ -149,7 +152,7 @@ fn pending_pose<'m>(
     let waits = (pending & !load).named("pose_waits");
     let next = (waits | (pose_valid & ready)).named("pose_pending_next");
     pending.loads(next, None, Some((reset, 0)));
-    load.loads(next & last_next, None, Some((reset, 0)));
+    load.loads(last_next.map_or(next, |last| next & last), None, Some((reset, 0)));
     load.comment("last phase, and a pose is pending").output("pose_load");
     ready
 }

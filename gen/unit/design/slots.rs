@@ -12,8 +12,8 @@ pub struct Slots<'m> {
     interval: usize,
     /// Phase of the running slot; none if a slot has one clock.
     pub phase: Option<Wire<'m>>,
-    /// Set in the last phase.
-    pub last: Wire<'m>,
+    /// Set in the last phase; none if a slot has one clock.
+    pub last: Option<Wire<'m>>,
 }
 
 impl<'m> Slots<'m> {
@@ -26,14 +26,13 @@ impl<'m> Slots<'m> {
             phase.loads(phase.apply(Lookup(next, ty), &[]), None, Some((reset, 0)));
             phase
         });
-        let mut slots = Self { module, reset, interval, phase, last: reset };
-        slots.last = slots.in_phase("last_phase", interval - 1);
-        slots
+        let slots = Self { module, reset, interval, phase, last: None };
+        Self { last: phase.map(|_| slots.in_phase("last_phase", interval - 1)), ..slots }
     }
 
     /// A flag set in a phase. It is read all over a design, so it comes from a register.
     pub fn in_phase(&self, name: &str, s: usize) -> Wire<'m> {
-        let Some(phase) = self.phase else { return self.module.constant(1, Type::FLAG) };
+        let phase = self.phase.expect("a slot of several clocks has phases");
         let flag = self.module.register(name, Type::FLAG);
         let before = (s + self.interval - 1) % self.interval;
         flag.loads(phase.is(before as i128), None, Some((self.reset, 0)));
@@ -45,7 +44,7 @@ impl<'m> Slots<'m> {
         let mut before = accept;
         let flag = |age: usize| {
             let flag = self.module.register(Place::at(HOLDS, &[Step::Index(age)]), Type::FLAG);
-            flag.loads(before, self.phase.map(|_| self.last), Some((self.reset, 0)));
+            flag.loads(before, self.last, Some((self.reset, 0)));
             before = flag;
             flag
         };

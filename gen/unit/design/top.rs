@@ -318,10 +318,8 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     let signals = m.instance("control", &control, &control_inputs);
     let of = |name: &str| sequencer::output(&control, &signals, name);
 
-    // The pair of the running slot; without one the last pair stays, so that what idle inputs carry goes no further. With one
-    // pair per clock a pair that waits is loaded again in each clock until it is accepted. So what enables these registers, of
-    // which some are far from the others, is a port, and not the end of the logic that accepts.
-    let load = if interval == 1 { in_valid } else { of("accept") };
+    // The pair of the running slot; without one the last pair stays, so that what idle inputs carry goes no further.
+    let load = of("load_pair");
     let held = pair.into_iter().map(|(place, port)| {
         let register = m.register(prefixed(&place, "in_", "pair_"), port.ty());
         register.loads(port, Some(load), None);

@@ -17,11 +17,13 @@ xfile add ../guard_coordinate.vhd
 xfile add ../multiply_18_18.vhd
 xfile add ../multiply_32_32.vhd
 xfile add ../transform_row.vhd
+xfile add ../pair_transform.vhd
 xfile add ../tapped_line_32.vhd
 xfile add ../renormalise_offset.vhd
 xfile add ../renormalise_shift.vhd
 xfile add ../renormalise_scale.vhd
 xfile add ../sign_case.vhd
+xfile add ../pair_points.vhd
 xfile add ../tapped_line_18.vhd
 xfile add ../tapped_line_u2.vhd
 xfile add ../interval_multiply.vhd
@@ -30,6 +32,7 @@ xfile add ../axis_shift.vhd
 xfile add ../projection.vhd
 xfile add ../comparator_network.vhd
 xfile add ../edge_test.vhd
+xfile add ../pair_axes.vhd
 xfile add ../pair_pipeline.vhd
 xfile add ../efsat.vhd
 xfile add ../efsat_stream.vhd

@@ -13,11 +13,14 @@ xfile add ../efsat_constants.vhd
 xfile add ../efsat_types.vhd
 xfile add ../sequencer.vhd
 xfile add ../difference_fit.vhd
+xfile add ../pair_differences.vhd
 xfile add ../multiply_18_18.vhd
 xfile add ../cross_component.vhd
+xfile add ../pair_moments.vhd
 xfile add ../dot_product.vhd
 xfile add ../determinant_sums.vhd
 xfile add ../exact_sign.vhd
+xfile add ../pair_determinants.vhd
 xfile add ../box_axis.vhd
 xfile add ../left_out_coordinate.vhd
 xfile add ../plane_coordinates.vhd
@@ -25,9 +28,11 @@ xfile add ../first_point.vhd
 xfile add ../plane_sums.vhd
 xfile add ../plane_edge.vhd
 xfile add ../plane_verdict.vhd
+xfile add ../pair_plane.vhd
 xfile add ../edge_verdict.vhd
 xfile add ../inner_side.vhd
 xfile add ../pair_verdict.vhd
+xfile add ../pair_witnesses.vhd
 xfile add ../pair_pipeline.vhd
 xfile add ../efsat.vhd
 xfile add ../efsat_stream.vhd

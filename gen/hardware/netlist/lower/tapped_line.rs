@@ -3,7 +3,7 @@
 
 use super::Lowered;
 use crate::graph::{NodeId, Op, Place, Step};
-use crate::netlist::module::{Driver, Instance, LINE_CLOCKS, Module, Signal, SignalId};
+use crate::netlist::module::{Driver, Home, Instance, LINE_CLOCKS, Module, Signal, SignalId};
 use crate::op::Type;
 use std::rc::Rc;
 
@@ -19,7 +19,8 @@ fn tapped_line(ty: Type) -> Rc<Module> {
     let plain = Type { fraction: None, ..ty };
     let mut push = |name: &str, ty, driver| {
         let (place, comment) = (Place::new(name), String::new());
-        module.signals.push(Signal { place, named: true, ty, driver, comment, range: None, clock: None });
+        let (range, clock, home) = (None, None, Home::default());
+        module.signals.push(Signal { place, named: true, ty, driver, comment, range, clock, home });
         SignalId(module.signals.len() - 1)
     };
     let (x, tap) = (push("x", plain, Driver::Port), push("tap", Type::index(LINE_CLOCKS), Driver::Port));

@@ -15,6 +15,7 @@ mod phases;
 mod prune;
 mod random;
 mod schedule;
+mod sections;
 mod simulate;
 mod vhdl;
 

@@ -84,6 +84,7 @@ fn designs_are_of_all_kinds() {
         "strobe0",
         "busy_",
         "_h2",
+        "Clocks are those of design.",
         "_d2",
         "group_0",
         "Line of",

@@ -39,7 +39,11 @@ impl View<'_> {
                 folded.extend(instances);
                 assignments.extend(more);
             }
-            self.instances.push((self.begins(members[0]), folded, assignments));
+            if module.instances[members[0]].module.section {
+                self.sections.push((folded, assignments));
+            } else {
+                self.instances.push((self.begins(members[0]), folded, assignments));
+            }
         }
     }
 

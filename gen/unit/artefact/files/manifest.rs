@@ -4,6 +4,7 @@ use super::FileSet;
 use crate::design::Design;
 use crate::params::Params;
 use crate::words::{PacketKind, StreamFormat};
+use efsat_hardware::netlist::{Driver, Module, Signal};
 use efsat_hardware::op::{Range, Type};
 use efsat_hardware::vhdl;
 use serde::Serialize;
@@ -127,12 +128,24 @@ fn formats(design: &Design) -> Vec<Row> {
     let modules = design.top.hierarchy();
     let mut rows = vec![];
     for path in std::iter::once(&design.pipeline).chain(design.second.as_ref().map(|second| &second.pipeline)) {
-        let Some(module) = modules.iter().find(|module| module.name == path.name) else { continue };
+        let Some(block) = modules.iter().find(|module| module.name == path.name) else { continue };
         let known: BTreeSet<&str> = path.probes.iter().map(|probe| path.node(probe.node).place.base.as_str()).collect();
-        for (name, signals) in vhdl::declared(&design.top, module) {
+        // Each where it is made.
+        let elsewhere = |module: &Module, signal: &Signal| match signal.driver {
+            Driver::Port => module.section,
+            Driver::Instance { instance, .. } => module.instances[instance].module.section,
+            _ => false,
+        };
+        let sections = block.instances.iter().map(|instance| &instance.module).filter(|module| module.section);
+        let all = std::iter::once(block).chain(sections);
+        for (module, (name, signals)) in
+            all.flat_map(|m| vhdl::declared(&design.top, m).into_iter().map(move |d| (m, d)))
+        {
             let numbers: Vec<_> = signals.iter().map(|id| module.signal(*id)).filter(|s| !s.ty.is_flag()).collect();
             // What stands later in the data path is a copy.
-            if !numbers.iter().any(|signal| known.contains(&*signal.place.base) && signal.place.suffix.is_empty()) {
+            let made =
+                |s: &&Signal| known.contains(&*s.place.base) && s.place.suffix.is_empty() && !elsewhere(module, s);
+            if !numbers.iter().any(made) {
                 continue;
             }
             let bound = |(least, most): Range| most.max(-least);

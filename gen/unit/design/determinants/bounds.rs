@@ -35,18 +35,40 @@ struct Lengths<'l> {
     b: [Sig<'l>; 3],
 }
 
-/// The bounds of all determinants.
-pub(super) fn bounds<'l>(
+/// The bounds of all determinants, as they are compared.
+pub(super) fn bounds<'l>(u: Top<'l>, p: &Params, coordinates: &Coordinates<'l>, moments: &Moments<'l>) -> Vec<Sig<'l>> {
+    let (level, shift) = (coordinates.level, moments.shift);
+    let norms = (p.bound != Bound::Static).then(|| {
+        let doc = ["Section 5: edges, norms of vertices and edges, and what the bounds have beside F."];
+        u.section("pair_norms", &doc, || norms(u, p, coordinates, shift))
+    });
+    let doc = ["Section 5: bounds on the errors of the fifteen determinants."];
+    u.section("pair_bounds", &doc, || {
+        let bounds = match norms {
+            None => fixed(u, p, level, shift),
+            Some((edges, lengths, tails)) => sums(&faces(u, p, &edges, &lengths, moments, level), &tails),
+        };
+        compared(&bounds.traced("bound"))
+    })
+}
+
+/// Whole units of the bounds, in as many bits as the widest.
+fn compared<'l>(bounds: &Fifteen<Sig<'l>>) -> Vec<Sig<'l>> {
+    let all = bounds.all();
+    let bits = all.iter().map(|x| x.ty().bits + 1).max().unwrap_or(4) - 3;
+    let ty = Type { signed: true, bits, fraction: None };
+    all.iter().map(|e| e.floor(3).resize(ty)).collect::<Vec<_>>().named("compared_bound")
+}
+
+/// Edges, L1 norms, and what the bounds have beside F.
+fn norms<'l>(
     u: Top<'l>,
     p: &Params,
     coordinates: &Coordinates<'l>,
-    moments: &Moments<'l>,
-) -> Fifteen<Sig<'l>> {
-    let (level, shift) = (coordinates.level, moments.shift);
-    if p.bound == Bound::Static {
-        return fixed(u, p, level, shift).traced("bound");
-    }
-    let Points { v, w } = coordinates.points;
+    shift: Shift<'l>,
+) -> (Edges<'l>, Lengths<'l>, Tails<'l>) {
+    let (points, level) = (coordinates.points, coordinates.level);
+    let Points { v, w } = points;
     let e_a1 = (v[1] - v[0]).named("e_a1");
     let e_b = [0, 1, 2].map(|l| w[(l + 1) % 3] - w[l]).named("e_b");
     let wide = |x: Vec3<Sig<'l>>| x.map(|x| x.bits(p.width + 1));
@@ -56,8 +78,7 @@ pub(super) fn bounds<'l>(
     let rest = by_level_times_2_h(u, level, shift, "rest", |level| c(3, level)).named("rest");
     let rest = rest.comment("c(3); four times that is c(5)");
     let tails = tails(&lengths, rest);
-    let faces = faces(u, p, &Edges { points: coordinates.points, e_a1, e_b }, &lengths, moments, level);
-    sums(&faces, &tails).traced("bound")
+    (Edges { points, e_a1, e_b }, lengths, tails)
 }
 
 /// A number for each level, times 2^h.

@@ -5,6 +5,7 @@ use super::super::product::product;
 use super::{Points, traced};
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Vec3};
+use efsat_hardware::op::Type;
 
 /// Something for each of the fifteen determinants.
 pub(in super::super) struct Fifteen<T> {
@@ -40,6 +41,14 @@ impl<'l> Fifteen<Sig<'l>> {
         }
         self
     }
+}
+
+/// The determinants in as many bits as the widest.
+pub(super) fn compared<'l>(determinants: &Fifteen<Sig<'l>>) -> Vec<Sig<'l>> {
+    let all = determinants.all();
+    let bits = all.iter().map(|x| x.ty().bits).max().unwrap_or(1);
+    let ty = Type { signed: true, bits, fraction: None };
+    all.iter().map(|x| x.resize(ty)).collect::<Vec<_>>().named("compared")
 }
 
 /// The names of the fifteen, in a row.

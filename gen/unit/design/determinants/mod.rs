@@ -31,7 +31,8 @@ pub fn unit(p: &Params) -> Rc<Block> {
     Library::default().with_multiplier(multiplier(p)).block("pair_pipeline", &doc, p.interval(), |u| {
         let guards = Guards::new(u, p);
         let inputs = Inputs::new(u, p);
-        let differences = differences::points(u, p, &guards, &inputs);
+        let doc = ["Section 2: the points relative to V0, B's in A's frame."];
+        let differences = u.section("pair_differences", &doc, || differences::points(u, p, &guards, &inputs));
         decided(u, p, &differences, guards.outside(), false)
     })
 }
@@ -44,18 +45,26 @@ pub(super) fn decided<'l>(
     outside: Option<Sig<'l>>,
     crosses: bool,
 ) -> Outcome<'l> {
-    let coordinates = coordinates::coordinates(u, p, differences);
-    let moments = moments::moments(u, p, &coordinates.points);
+    let doc = ["Section 3: coordinates of working width, scaled along each axis by itself."];
+    let coordinates = u.section("pair_coordinates", &doc, || coordinates::coordinates(u, p, differences));
+    let doc = ["Section 4: moments of the edges of B, and the normal of A."];
+    let moments = u.section("pair_moments", &doc, || moments::moments(u, p, &coordinates.points));
     let factors = [moments.m[0], moments.m[1], moments.m[2], moments.n];
-    let determinants = fifteen::determinants(&coordinates.points, &factors, |jobs| {
-        shared(u, "dot", jobs, |k, (x, m)| {
-            fifteen::dot_product(x.named_at("dot_x", k), m.named_at("dot_m", k)).named_at("dot_lane", k)
-        })
+    let doc = ["Section 4: the fifteen determinants, from ten dot products."];
+    let determinants = u.section("pair_determinants", &doc, || {
+        fifteen::compared(&fifteen::determinants(&coordinates.points, &factors, |jobs| {
+            shared(u, "dot", jobs, |k, (x, m)| {
+                fifteen::dot_product(x.named_at("dot_x", k), m.named_at("dot_m", k)).named_at("dot_lane", k)
+            })
+        }))
     });
     let bounds = bounds::bounds(u, p, &coordinates, &moments);
-    let signs = verdict::signs(u, &determinants, &bounds);
-    let apart = p.boxes.then(|| verdict::boxes_apart(u, &coordinates));
-    verdict::verdict(u, apart, &signs, outside, crosses)
+    let doc = ["Section 6: signs that are certain, boxes that are apart, witnesses, verdict."];
+    u.section("pair_witnesses", &doc, || {
+        let signs = verdict::signs(u, determinants, bounds);
+        let apart = p.boxes.then(|| verdict::boxes_apart(u, &coordinates));
+        verdict::verdict(u, apart, &signs, outside, crosses)
+    })
 }
 
 /// The points beside V0, which is the origin.

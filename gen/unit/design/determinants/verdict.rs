@@ -11,15 +11,9 @@ use efsat_hardware::op::Type;
 /// Whether the sign of a determinant certainly is +1, and whether it certainly is -1.
 pub(super) type Sign<'l> = [Sig<'l>; 2];
 
-/// The signs that are certain.
-pub(super) fn signs<'l>(u: Top<'l>, determinants: &Fifteen<Sig<'l>>, bounds: &Fifteen<Sig<'l>>) -> Fifteen<Sign<'l>> {
-    let (xs, bounds) = (determinants.all(), bounds.all());
-    let bits = |all: &[Sig<'l>], more: u32| all.iter().map(|x| x.ty().bits + more).max().unwrap_or(1);
-    let number = Type { signed: true, bits: bits(&xs, 0), fraction: None };
-    let bound = Type { signed: true, bits: bits(&bounds, 1) - 3, fraction: None };
-    let xs = xs.iter().map(|x| x.resize(number)).collect::<Vec<_>>().named("compared");
-    let bounds = bounds.iter().map(|e| e.floor(3).resize(bound)).collect::<Vec<_>>().named("compared_bound");
-    let jobs: Vec<_> = xs.into_iter().zip(bounds).collect();
+/// The signs that are certain, of what is compared.
+pub(super) fn signs<'l>(u: Top<'l>, determinants: Vec<Sig<'l>>, bounds: Vec<Sig<'l>>) -> Fifteen<Sign<'l>> {
+    let jobs: Vec<_> = determinants.into_iter().zip(bounds).collect();
     if u.interval() < 3 {
         // Multiplexers of the operands would be larger than the comparators that they save.
         let signs: Vec<Sign<'l>> = jobs.into_iter().map(|(x, bound)| certain_sign(x, bound)).collect();

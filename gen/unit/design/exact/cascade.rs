@@ -33,8 +33,11 @@ pub fn first(p: &Params, first: &Params) -> Rc<Block> {
     Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
         let inputs = Inputs::new(u, p);
         let guards = Guards::new(u, p);
-        let differences = differences::points(u, p, &guards, &inputs);
-        let (points, outside) = fitted(p, &differences, &guards);
+        let doc = ["The points relative to V0, B's in A's frame, and whether they fit."];
+        let (points, outside) = u.section("pair_differences", &doc, || {
+            let differences = differences::points(u, p, &guards, &inputs);
+            fitted(p, &differences, &guards)
+        });
         let scaled = points.all().map(|point| point.map(|x| x.floor(-(BELOW_GRID as i32)))).named("scaled");
         let ((verdict, _), flags) = determinants::decided(u, first, &Points::of(scaled), Some(outside), true);
         let open = (verdict.floor(1) & !outside).named("left_open").comment("the second stage decides");

@@ -32,25 +32,37 @@ pub fn unit(p: &Params) -> Rc<Block> {
     Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
         let inputs = Inputs::new(u, p);
         let guards = Guards::new(u, p);
-        let differences = differences::points(u, p, &guards, &inputs);
-        let (points, outside) = fitted(p, &differences, &guards);
+        let doc = ["Section 2: the points relative to V0, B's in A's frame, and whether they fit."];
+        let (points, outside) = u.section("pair_differences", &doc, || {
+            let differences = differences::points(u, p, &guards, &inputs);
+            fitted(p, &differences, &guards)
+        });
         decided(u, &points, Some(outside))
     })
 }
 
 /// What the differences that fit decide: sections 3 to 6.
 fn decided<'l>(u: Top<'l>, points: &Points<'l>, outside: Option<Sig<'l>>) -> Outcome<'l> {
-    let moments = moments(u, points);
+    let doc = ["Section 3: moments of the edges of B, and the normal of A."];
+    let moments = u.section("pair_moments", &doc, || moments(u, points));
+    let doc = ["Sections 3 and 4: the fifteen determinants and their signs."];
+    let signs = u.section("pair_determinants", &doc, || determinant_signs(u, points, &moments));
+    let doc = ["Section 5: the rule for pairs in one plane."];
+    let plane = u.section("pair_plane", &doc, || plane::plane(u, points, &moments));
+    let doc = ["Section 6: witnesses and verdict."];
+    u.section("pair_witnesses", &doc, || verdict::verdict(&signs, &plane, outside))
+}
+
+/// The signs of the fifteen determinants.
+fn determinant_signs<'l>(u: Top<'l>, points: &Points<'l>, moments: &[Vec3<Sig<'l>>; 4]) -> Fifteen<Sign<'l>> {
     // Two products of differences, whatever A's may be behind a frame transform.
     let most = 2 * digits::most(points.v[0][0]).pow(2);
-    let offset = moments.map(|m| m.map(|x| digits::offset(x, most)));
+    let offset = (*moments).map(|m| m.map(|x| digits::offset(x, most)));
     (0..4).filter(|l| offset[*l] != moments[*l]).for_each(|l| {
         offset[l].named(&format!("offset_{}", MOMENTS[l]));
     });
     let determinants = fifteen::determinants(points, &offset, |jobs| digits::dot_products(u, jobs));
-    let signs = signs(&determinants);
-    let plane = plane::plane(u, points, &moments);
-    verdict::verdict(&signs, &plane, outside)
+    signs(&determinants)
 }
 
 /// The differences in N bits each, and whether some did not fit or a guard found something. In place of those that do

@@ -1,6 +1,6 @@
 //! From steps to a legal graph: operands are the values there are, brought into types that fit.
 
-use super::case::Case;
+use super::case::{Case, Step};
 use crate::{lowered_for, scheduled_for};
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Block, Fact, Library, Phases, Rate, Sig, Signals, Top, Vec3};
@@ -153,7 +153,8 @@ const OPERATIONS: [(&str, usize, Operation); 28] = [
     }),
 ];
 
-const OTHERS: [(&str, More); 20] = [
+const OTHERS: [(&str, More); 21] = [
+    (SECTION, |_, _| {}),
     ("input", |b, n| b.input(n, false)),
     ("other_input", |b, n| b.input(n, false)),
     ("early_input", |b, n| b.input(n, true)),
@@ -294,6 +295,9 @@ const OTHERS: [(&str, More); 20] = [
     }),
     ("bundle", |b, n| b.bundle(n)),
 ];
+
+/// What begins a section, or ends one: the steps behind it are in it.
+const SECTION: &str = "section";
 
 /// The names of all steps.
 pub fn kinds() -> impl Iterator<Item = &'static str> {
@@ -565,10 +569,16 @@ fn block(case: &Case, named: bool) -> Graph {
             count: Cell::default(),
         };
         (0..2).for_each(|k| b.input([6 + k, 1, 0, 0], false));
-        for step in &case.steps {
-            match OPERATIONS.iter().find(|x| x.0 == step.kind) {
+        for (k, steps) in case.steps.chunk_by(|_, next| next.kind != SECTION).enumerate() {
+            let take = |step: &Step| match OPERATIONS.iter().find(|x| x.0 == step.kind) {
                 Some((_, reads, f)) => b.operation(*reads, *f, step.numbers),
                 None => OTHERS.iter().find(|x| x.0 == step.kind).expect("a known kind").1(&mut b, step.numbers),
+            };
+            // Some are outside of sections.
+            if steps[0].kind == SECTION && !steps[0].numbers[0].is_multiple_of(4) {
+                top.section(&format!("section{k}"), &["Made at random."], || steps.iter().for_each(take));
+            } else {
+                steps.iter().for_each(take);
             }
         }
         inputs.clone_from(&b.inputs);
