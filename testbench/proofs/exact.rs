@@ -330,7 +330,7 @@ pub fn fits(setting: &Setting) -> Claim {
         }
     }
     claim.shown(format!("outside == !{}", joined(" && ", fit)));
-    claim.mutant(WrongSign, "difference_v2(i)").mutant(NotStrict, "outside_i");
+    claim.mutant(WrongSign, "difference_v2(i)|difference_v2_i(i)").mutant(NotStrict, "outside_i");
     claim
 }
 

@@ -65,56 +65,8 @@ impl Subject {
         let needed: Vec<String> = module.hierarchy().iter().map(|m| m.name.clone()).collect();
         let mut files = vhdl::print(top, "", PACKAGE, &[]).expect("legal names");
         files.retain(|(file, _)| file == PACKAGE || needed.contains(file));
-        let text = &files.last().expect("an entity has a file").1;
         let mut inner = vec![];
-        for (number, instance) in module.instances.iter().enumerate() {
-            let (place, label) = (instance.place.to_string(), label(text, &instance.place));
-            let name = place.strip_suffix("_unit").unwrap_or(&place);
-            let [inputs, outputs] = vhdl::ports(top, &instance.module);
-            let ports: Vec<(&Place, u32)> = instance
-                .module
-                .inputs
-                .iter()
-                .map(|id| instance.module.signal(*id))
-                .map(|s| (&s.place, s.ty.bits))
-                .collect();
-            let wire = |port: &Place, element: &str, signal| {
-                let of_instance = format!("unit.{label}");
-                let array = element.split('(').next().expect("a name");
-                let of_record = array.contains('.');
-                // An array of one element is that element.
-                let alone = array == element && !of_record;
-                let path = if alone {
-                    element
-                } else if of_record {
-                    &port.to_string()
-                } else {
-                    array
-                };
-                let wire = Wire::new(format!("{name}_{port}"), format!("{of_instance}.{path}"), signal);
-                // Element 0 is on the left, but on the right of a vector of flags.
-                let is_below =
-                    |other: &Place| match (signal.ty.is_flag(), port.path.split_last(), other.path.split_last()) {
-                        (true, Some((last, rest)), Some((other, of))) => of > rest || of == rest && other < last,
-                        _ => other.path > port.path,
-                    };
-                let below = |other: &&(&Place, u32)| other.0.base == port.base && is_below(other.0);
-                let bits = |of: &dyn Fn(&&(&Place, u32)) -> bool| ports.iter().filter(|x| of(x)).map(|x| x.1).sum();
-                let element = (bits(&|other| other.0.base == port.base), bits(&below));
-                Wire { element: Some(element).filter(|_| array == path && !alone), ..wire }
-            };
-            let signals = instance.module.inputs.iter().map(|id| instance.module.signal(*id));
-            inner.extend(signals.zip(&inputs).map(|(signal, element)| wire(&signal.place, element, signal)));
-            for signal in &module.signals {
-                if let Driver::Instance { instance: by, port } = signal.driver
-                    && by == number
-                {
-                    inner.push(wire(&instance.module.outputs[port].0, &outputs[port], signal));
-                }
-            }
-        }
-        let own = module.signals.iter().filter(|s| s.named && s.place.path.is_empty());
-        inner.extend(own.map(|s| Wire::new(s.name(), format!("unit.{}", s.place), s)));
+        inside(top, module, &files, "unit", &mut inner);
         files.push((AROUND.to_owned(), around(top, module)));
         let port = |place: &Place, id: SignalId| Wire::new(place.to_string(), place.to_string(), module.signal(id));
         Self {
@@ -166,6 +118,65 @@ impl Subject {
     pub fn mutated(&self, mutant: &Mutant) -> Option<Vec<(String, String)>> {
         mutant.applied(&self.files)
     }
+}
+
+/// The ports of instances in a module and the numbers among its signals, those of its sections too.
+fn inside(top: &Rc<Module>, module: &Module, files: &[(String, String)], path: &str, inner: &mut Vec<Wire>) {
+    let text = &files.iter().find(|(file, _)| *file == module.name).expect("an entity has a file").1;
+    for (number, instance) in module.instances.iter().enumerate() {
+        let (place, label) = (instance.place.to_string(), label(text, &instance.place));
+        if instance.module.section {
+            inside(top, &instance.module, files, &format!("{path}.{label}"), inner);
+            continue;
+        }
+        let name = place.strip_suffix("_unit").unwrap_or(&place);
+        let [inputs, outputs] = vhdl::ports(top, &instance.module);
+        let ports: Vec<(&Place, u32)> = instance
+            .module
+            .inputs
+            .iter()
+            .map(|id| instance.module.signal(*id))
+            .map(|s| (&s.place, s.ty.bits))
+            .collect();
+        let wire = |port: &Place, element: &str, signal| {
+            let of_instance = format!("{path}.{label}");
+            let array = element.split('(').next().expect("a name");
+            let of_record = array.contains('.');
+            // An array of one element is that element.
+            let alone = array == element && !of_record;
+            let part = if alone {
+                element
+            } else if of_record {
+                &port.to_string()
+            } else {
+                array
+            };
+            let wire = Wire::new(format!("{name}_{port}"), format!("{of_instance}.{part}"), signal);
+            // Element 0 is on the left, but on the right of a vector of flags.
+            let is_below = |other: &Place| match (signal.ty.is_flag(), port.path.split_last(), other.path.split_last())
+            {
+                (true, Some((last, rest)), Some((other, of))) => of > rest || of == rest && other < last,
+                _ => other.path > port.path,
+            };
+            let below = |other: &&(&Place, u32)| other.0.base == port.base && is_below(other.0);
+            let bits = |of: &dyn Fn(&&(&Place, u32)) -> bool| ports.iter().filter(|x| of(x)).map(|x| x.1).sum();
+            let element = (bits(&|other| other.0.base == port.base), bits(&below));
+            Wire { element: Some(element).filter(|_| array == part && !alone), ..wire }
+        };
+        let signals = instance.module.inputs.iter().map(|id| instance.module.signal(*id));
+        inner.extend(signals.zip(&inputs).map(|(signal, element)| wire(&signal.place, element, signal)));
+        for signal in &module.signals {
+            if let Driver::Instance { instance: by, port } = signal.driver
+                && by == number
+            {
+                inner.push(wire(&instance.module.outputs[port].0, &outputs[port], signal));
+            }
+        }
+    }
+    // What enters a section is what it is in the block.
+    let own = module.signals.iter().filter(|s| s.named && s.place.path.is_empty());
+    let own = own.filter(|s| !module.section || !matches!(s.driver, Driver::Port));
+    inner.extend(own.map(|s| Wire::new(s.name(), format!("{path}.{}", s.place), s)));
 }
 
 /// What GHDL calls an instance, printed apart or in a generate statement.

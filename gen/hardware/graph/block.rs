@@ -99,6 +99,8 @@ impl Fact {
 }
 
 /// A part of a block that is an entity of its own: what is made in it belongs to it, and everything keeps the clocks of the block.
+// For lowering.
+#[doc(hidden)]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     /// Name, also of the entity.

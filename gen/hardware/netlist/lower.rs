@@ -31,6 +31,11 @@ pub const PHASE: &str = "phase";
 /// The port that tells which slots in flight hold a pair: element k of the slot that began k slots before the running one.
 pub const HOLDS: &str = "holds";
 
+/// What the names of outputs begin with that bring a node out.
+// For the designs of the unit.
+#[doc(hidden)]
+pub const PROBE: &str = "probe_";
+
 /// A node brought out for comparison.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Probe {
@@ -215,7 +220,7 @@ impl Lowered<'_> {
             let Some(id) = self.base[i] else { continue };
             let per_phase = node.rate == Rate::Phase;
             let name = node.name();
-            self.out.outputs.push((Place::new(format!("probe_{name}")), id));
+            self.out.outputs.push((Place::new(format!("{PROBE}{name}")), id));
             let clock = |(phase, late): &(usize, bool)| {
                 let lag = if *late { self.schedule.lag_clocks() } else { 0 };
                 // A constant is there at any time.

@@ -118,6 +118,8 @@ pub struct Signal {
 }
 
 /// Where a signal of a block with sections is.
+// For lowering.
+#[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Home {
     /// Where it is read, if that is one place: a later copy, for example.

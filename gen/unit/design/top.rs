@@ -6,7 +6,7 @@ use super::{determinants, exact, number::input_type, pipeline};
 use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, DeviceError};
 use efsat_hardware::graph::{Block, Place, Step};
-use efsat_hardware::netlist::lower::{Lowering, Probe};
+use efsat_hardware::netlist::lower::{Lowering, PROBE, Probe};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::number::Upper;
 use efsat_hardware::op::{Concatenate, Floor, LowBits, Type};
@@ -178,7 +178,7 @@ impl Design {
             }
             name if name.starts_with("in_") => Channel::Pair,
             name if name.starts_with("pose_") => Channel::Pose,
-            name if name.starts_with("probe_") => Channel::Probe,
+            name if name.starts_with(PROBE) => Channel::Probe,
             _ => Channel::Verdict,
         }
     }
@@ -388,7 +388,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
         offered_tag.comment(TAG).output("out_tag");
     }
     for ((place, _), wire) in path.outputs.iter().zip(&results) {
-        if place.base.starts_with("probe_") {
+        if place.base.starts_with(PROBE) {
             wire.output(place.clone());
         }
     }

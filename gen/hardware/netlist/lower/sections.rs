@@ -4,6 +4,7 @@
 //! do, beside the value if its section is one of them, else in the block, as are delay lines from one section to another. Copies of
 //! one value stay together. Constants are wherever they are read.
 
+use super::PROBE;
 use crate::graph::{Place, Section, Step};
 use crate::netlist::module::{Driver, Home, Instance, Module, Signal, SignalId};
 use crate::op::Comb;
@@ -135,7 +136,9 @@ impl Cut<'_> {
     fn leaving(&self, id: SignalId) -> &Place {
         let here = |i: usize| i != id.0 && (self.homes[i].is_none() || self.read[i].contains(&None));
         let taken = |place: &Place| self.whole.signals.iter().enumerate().any(|(i, s)| here(i) && s.place == *place);
-        let mut outputs = self.whole.outputs.iter().filter(|(place, output)| *output == id && !taken(place));
+        // A probe takes no name.
+        let named = |place: &Place| !place.base.starts_with(PROBE) && !taken(place);
+        let mut outputs = self.whole.outputs.iter().filter(|(place, output)| *output == id && named(place));
         outputs.next().map_or(&self.whole.signal(id).place, |(place, _)| place)
     }
 
