@@ -83,7 +83,7 @@ impl Names {
             for instance in &module.instances {
                 let place = &instance.place;
                 let label = place.to_string();
-                let short = label.strip_suffix("_unit").unwrap_or(&label);
+                let short = ["_unit", "_section"].iter().find_map(|end| label.strip_suffix(end)).unwrap_or(&label);
                 for net in generated_instance(place).iter().chain([&label]) {
                     collect(&instance.module, &format!("{nets}{net}."), &format!("{prefix}{short}."), names);
                 }
@@ -195,10 +195,16 @@ mod tests {
         let params = Params::default();
         let names = Names::new(&Design::new(&params, Probes::None).unwrap().top);
         let signal = |net: &str| names.signal(net);
-        assert_eq!(signal("unit.path.p_unit_n1_unit.exact[12]").as_deref(), Some("path.p0.exact"));
-        assert_eq!(signal("unit.path.p_unit_n2_unit.exact[12]").as_deref(), Some("path.p1.exact"));
-        let part = "unit.path.p_unit_n2_unit.term_unit_n3_unit.p_lo";
-        assert_eq!(signal(part).as_deref(), Some("path.p1.term_z.p_lo"));
+        assert_eq!(
+            signal("unit.path.pair_axes_section.p_unit_n1_unit.exact[12]").as_deref(),
+            Some("path.pair_axes.p0.exact")
+        );
+        assert_eq!(
+            signal("unit.path.pair_axes_section.p_unit_n2_unit.exact[12]").as_deref(),
+            Some("path.pair_axes.p1.exact")
+        );
+        let part = "unit.path.pair_axes_section.p_unit_n2_unit.term_unit_n3_unit.p_lo";
+        assert_eq!(signal(part).as_deref(), Some("path.pair_axes.p1.term_z.p_lo"));
     }
 
     #[test]
