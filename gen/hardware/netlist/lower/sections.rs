@@ -22,7 +22,8 @@ pub(super) fn divided(whole: Module, sections: &[Section]) -> Module {
     let homes = homes(&whole);
     let instances = instances(&whole, &homes);
     let read = readers(&whole, &homes, &instances);
-    let cut = Cut { whole: &whole, homes, instances, read };
+    let mut cut = Cut { whole: &whole, homes, instances, read };
+    (0..sections.len()).for_each(|k| cut.keep_vectors_together(Some(k)));
     let made = sections.iter().enumerate().map(|(k, section)| cut.section(k, section));
     // One of which nothing is read has nothing in it.
     cut.block(made.filter(|made| !made.outputs.is_empty()).collect())
@@ -59,8 +60,9 @@ fn homes(module: &Module) -> Vec<At> {
     };
     let leaves: BTreeSet<usize> = module.outputs.iter().map(|(_, id)| id.0).collect();
     let mut homes: Vec<Option<At>> = (0..signals.len()).map(|i| (!free(&i)).then(|| fixed(i))).collect();
-    // What reads last is settled first.
-    loop {
+    // What reads last is settled first; each pass settles a group or more.
+    for pass in 0.. {
+        assert!(pass <= 2 * groups.len() + 2, "module {}: copies of values have no places", module.name);
         let mut settled = true;
         for members in groups.values() {
             let outside = members.iter().flat_map(|i| &readers[*i]).filter(|reader| !members.contains(reader));
@@ -77,9 +79,10 @@ fn homes(module: &Module) -> Vec<At> {
             members.iter().for_each(|i| homes[*i] = Some(home));
         }
         if settled {
-            return homes.into_iter().map(Option::flatten).collect();
+            break;
         }
     }
+    homes.into_iter().map(Option::flatten).collect()
 }
 
 /// Where each instance is.
@@ -131,10 +134,24 @@ impl Cut<'_> {
         if constant { self.read[id.0].contains(&at) } else { self.homes[id.0] == at }
     }
 
+    /// A place that reads a flag of a vector made elsewhere reads all of that vector that are made elsewhere.
+    fn keep_vectors_together(&mut self, at: At) {
+        let vector = |id: SignalId| {
+            let signal = self.whole.signal(id);
+            let is_element = signal.ty.is_flag() && matches!(signal.place.path[..], [Step::Index(_)]);
+            (is_element && !self.made(id, at)).then_some((&signal.place.base, &signal.place.suffix))
+        };
+        let enter = self.signals(|id| self.read[id.0].contains(&at));
+        let vectors: HashSet<_> = enter.into_iter().filter_map(vector).collect();
+        let more = self.signals(|id| vector(id).is_some_and(|of| vectors.contains(&of)));
+        more.into_iter().for_each(|id| _ = self.read[id.0].insert(at));
+    }
+
     /// What a signal is called where it leaves a section: after an output of the block, if it leads there and the block has no other
     /// signal of that name.
     fn leaving(&self, id: SignalId) -> &Place {
-        let here = |i: usize| i != id.0 && (self.homes[i].is_none() || self.read[i].contains(&None));
+        let here =
+            |i: usize| i != id.0 && (self.homes[i].is_none() || self.read[i].iter().any(|at| *at != self.homes[i]));
         let taken = |place: &Place| self.whole.signals.iter().enumerate().any(|(i, s)| here(i) && s.place == *place);
         // A probe takes no name.
         let named = |place: &Place| !place.base.starts_with(PROBE) && !taken(place);
@@ -172,16 +189,7 @@ impl Cut<'_> {
     /// A section: what it reads from elsewhere are its inputs, what is read elsewhere its outputs.
     fn section(&self, k: usize, section: &Section) -> Made {
         let at = Some(k);
-        // Flags of one vector stay together.
-        let vector = |id: SignalId| {
-            let signal = self.whole.signal(id);
-            let is_element = signal.ty.is_flag() && matches!(signal.place.path[..], [Step::Index(_)]);
-            is_element.then_some((&signal.place.base, &signal.place.suffix))
-        };
-        let enters = |id: SignalId| !self.made(id, at) && self.read[id.0].contains(&at);
-        let vectors: HashSet<_> = self.signals(enters).into_iter().filter_map(vector).collect();
-        let inputs =
-            self.signals(|id| enters(id) || vector(id).is_some_and(|v| vectors.contains(&v) && !self.made(id, at)));
+        let inputs = self.signals(|id| !self.made(id, at) && self.read[id.0].contains(&at));
         let outputs = self.signals(|id| {
             let leaves = self.read[id.0].iter().any(|reader| *reader != at);
             leaves && self.made(id, at) && !is_constant(self.whole.signal(id))

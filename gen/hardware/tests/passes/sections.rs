@@ -3,6 +3,7 @@
 use super::*;
 use efsat_hardware::dump;
 use efsat_hardware::graph::Signals;
+use efsat_hardware::netlist::Driver;
 use efsat_hardware::vhdl;
 use expect_test::expect;
 
@@ -179,4 +180,24 @@ fn a_section_is_an_entity_with_the_clocks_of_its_block() {
 fn a_section_is_in_no_other() {
     let nested = || block(1, |top| top.section("outer", &[], || top.section("inner", &[], Vec::new)));
     expect!["section inner: expected to begin outside of other sections"].assert_eq(&refusal(nested));
+}
+
+/// One flag of a vector is read in another section, the other in its own.
+#[test]
+fn flags_of_a_vector_go_together() {
+    let block = block(1, |top| {
+        let [a, b] = ["a", "b"].map(|name| top.input(Type::signed(8, 0), ALL).named(name));
+        let (flags, x) = top.section("flags", &[], || {
+            let flags = [a.negative(), b.negative()].named("flags");
+            (flags, (!flags[0]).named("x"))
+        });
+        top.section("reads", &[], || vec![(!flags[1]).named("y"), x])
+    });
+    let modules = lowered(&block, 100).hierarchy();
+    for module in &modules {
+        let ports = module.signals.iter().filter(|signal| matches!(signal.driver, Driver::Port)).count();
+        assert_eq!(ports, module.inputs.len(), "{}", dump::module(module));
+    }
+    let leave = |name: &str| modules.iter().find(|module| module.name == name).expect("a section").outputs.len();
+    assert_eq!((leave("flags"), leave("reads")), (3, 1), "both flags and x, and y");
 }
