@@ -12,19 +12,13 @@ use std::collections::BTreeMap;
 
 /// Register bits of a module itself, without what only tells phases and slots apart, which no program counts.
 fn own_bits(module: &Module) -> u64 {
-    let bits = parts(module).flat_map(|part| &part.signals).map(|s| match &s.driver {
+    let bits = module.parts().flat_map(|part| &part.signals).map(|s| match &s.driver {
         Driver::Register { op: Some(Comb::Lookup(..) | Comb::Equal(..)), .. } => 0,
         Driver::Register { .. } if s.place.base == "strobe" || s.place.base.starts_with("busy_") => 0,
         Driver::Register { .. } => u64::from(s.ty.bits),
         _ => 0,
     });
     bits.sum()
-}
-
-/// A module and its sections.
-fn parts(module: &Module) -> impl Iterator<Item = &Module> {
-    let sections = module.instances.iter().map(|instance| &*instance.module).filter(|module| module.section);
-    std::iter::once(module).chain(sections)
 }
 
 /// The table of docs/schedule.md: unit, instances, register bits, optimum with whole captures.
@@ -106,7 +100,7 @@ fn a_choice_that_is_too_long_takes_two_clocks() {
             let params = Params { device: device.to_owned(), frequency, guard: Guard::LeftOut, ..Params::default() };
             let design = Design::new(&params, Probes::None).unwrap();
             let pipeline = design.top.hierarchy().into_iter().find(|m| m.name == "pair_pipeline").unwrap();
-            let signals = parts(&pipeline).flat_map(|part| &part.signals);
+            let signals = pipeline.parts().flat_map(|part| &part.signals);
             let groups: Vec<_> =
                 signals.filter(|s| s.name().contains("_group_") && !matches!(s.driver, Driver::Port)).collect();
             assert_eq!(!groups.is_empty(), divided, "{device} at {frequency} MHz");
@@ -135,11 +129,11 @@ fn a_choice_among_values_of_one_stream_is_a_delay_line_where_there_are_such() {
         let pipeline = design.top.hierarchy().into_iter().find(|m| m.name == "pair_pipeline").unwrap();
         let has = |name: &str| {
             let line = |i: &&Instance| i.module.name.starts_with("tapped_line") && i.place.base.starts_with(name);
-            parts(&pipeline).flat_map(|part| &part.instances).filter(line).count()
+            pipeline.parts().flat_map(|part| &part.instances).filter(line).count()
         };
         // Three components, two bounds; and three sign cases.
         assert_eq!([has("axis_e"), has("axis_f")], if lines { [9, 9] } else { [0, 0] }, "{device}");
-        let edges = parts(&pipeline).flat_map(|part| &part.signals).filter(|s| s.place.base == "e_a").count();
+        let edges = pipeline.parts().flat_map(|part| &part.signals).filter(|s| s.place.base == "e_a").count();
         assert_eq!(edges == 0, lines, "{device}: registers of edges that lines keep");
     }
 }

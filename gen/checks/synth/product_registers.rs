@@ -4,9 +4,9 @@
 //! vendors' tools put the register of the design there that directly follows; Yosys does not. On Virtex-II it is counted
 //! as part of the multiplier; on the other two the netlist is changed before it is placed ([`pack`]).
 //!
-//! ECP5's has registers in front of its operands too. Where a whole operand comes from registers that have no logic in front of
-//! them, these are of use there alone: what is shared by multipliers far apart is then copied, and the nets end in registers
-//! ([`pack_operands`]).
+//! ECP5's has registers in front of its operands too. Where a whole operand comes from registers that load what comes from a
+//! flip-flop or a multiplier, these move there: what multipliers far apart have shared is then copied ([`pack_operands`]). Registers
+//! behind logic or a memory stay beside it.
 
 use super::ToolError;
 use super::netlist::{Bit, Cell, Level, Module, Netlist, is_flip_flop};
@@ -269,83 +269,74 @@ pub fn pack(netlist: &mut Netlist, family: Family) -> u64 {
     packed
 }
 
+/// A bit of an operand from now on: port, what is read there, and the net of the flip-flop in whose place the multiplier reads it.
+type Moved = (String, Bit, Option<u64>);
+
+/// What of a module registers of operands can be: by the net behind it, what each flip-flop loads, and its clock, of those that load
+/// what comes from a flip-flop or a multiplier.
+fn in_front(module: &Module) -> HashMap<u64, (Bit, Bit)> {
+    let flip_flops = || module.cells.values().filter(|cell| is_flip_flop(&cell.kind));
+    let products = module.cells.values().filter(|cell| ECP5.is_multiplier(cell)).flat_map(|cell| &cell.connections);
+    let products = products.filter(|(port, _)| ECP5.is_product(port)).flat_map(|(_, bits)| bits);
+    let direct: HashSet<u64> =
+        flip_flops().filter_map(|cell| cell.bit("Q")).chain(products.copied()).filter_map(Bit::net).collect();
+    let found = |cell: &Cell| {
+        let controls = [ECP5.clock, ECP5.enable, ECP5.reset].map(|port| cell.bit(port));
+        let (output, data, clock) = (cell.bit("Q")?.net()?, cell.bit(ECP5.data)?, controls[0]?);
+        // A register begins with zeros.
+        let is_direct = data.net().map_or(data != ALWAYS, |net| direct.contains(&net));
+        (is_direct && ECP5.can_do(cell, controls)).then_some((output, (data, clock)))
+    };
+    flip_flops().filter_map(found).collect()
+}
+
+/// The bits of an operand of a multiplier with its register inside, and the clock; none if that cannot be.
+fn operand(cell: &Cell, operand: &str, in_front: &HashMap<u64, (Bit, Bit)>) -> Option<(Vec<Moved>, Bit)> {
+    let ports = (0..18).map(|i| format!("{operand}{i}"));
+    let bits: Vec<(String, Bit)> = ports.filter_map(|port| Some((port.clone(), cell.bit(&port)?))).collect();
+    let free = cell.parameter(&format!("REG_INPUT{operand}_CLK")).is_none_or(|clock| clock == "NONE");
+    let (_, clock) = *bits.iter().find_map(|(_, bit)| in_front.get(&bit.net()?))?;
+    let own = cell.bit("CLK0").filter(|bit| bit.net().is_some());
+    let moved = |(port, bit): (String, Bit)| match bit.net() {
+        None => (bit != ALWAYS).then_some((port, bit, None)),
+        Some(net) => in_front.get(&net).filter(|found| found.1 == clock).map(|found| (port, found.0, Some(net))),
+    };
+    let moved = bits.into_iter().map(moved).collect::<Option<_>>()?;
+    (free && own.is_none_or(|own| own == clock)).then_some((moved, clock))
+}
+
 /// Moves registers of operands into the multipliers of a netlist for the ECP5; returns how many operands have theirs there. A
 /// flip-flop that something else reads stays beside its copies.
 pub fn pack_operands(netlist: &mut Netlist) -> u64 {
     let mut packed = 0;
     for module in netlist.modules.values_mut() {
-        let mut loads: HashMap<u64, usize> = HashMap::new();
-        for net in module.ports.values().flat_map(|port| &port.bits).filter_map(|bit| bit.net()) {
-            *loads.entry(net).or_default() += 1;
-        }
-        // What drives each net: a flip-flop, with what it loads and its clock, or a multiplier.
-        let mut flip_flops: HashMap<u64, (String, Bit, Bit)> = HashMap::new();
-        let mut registered: HashSet<u64> = HashSet::new();
-        for (name, cell) in &module.cells {
-            let controls = [ECP5.clock, ECP5.enable, ECP5.reset].map(|port| cell.bit(port));
-            let output = if is_flip_flop(&cell.kind) { cell.bit("Q").and_then(Bit::net) } else { None };
-            if let (Some(output), Some(data), Some(clock)) = (output, cell.bit(ECP5.data), controls[0]) {
-                registered.insert(output);
-                if ECP5.can_do(cell, controls) {
-                    flip_flops.insert(output, (name.clone(), data, clock));
+        let in_front = in_front(module);
+        let mut copied: HashSet<u64> = HashSet::new();
+        for cell in module.cells.values_mut().filter(|cell| ECP5.is_multiplier(cell)) {
+            for name in ["A", "B"] {
+                let Some((moved, clock)) = operand(cell, name, &in_front) else { continue };
+                for (parameter, value) in [("CLK", "CLK0"), ("CE", "CE0"), ("RST", "RST0")] {
+                    cell.set(&format!("REG_INPUT{name}_{parameter}"), value);
                 }
-            }
-            let is_output =
-                |port: &str| port == "Q" && output.is_some() || ECP5.is_multiplier(cell) && ECP5.is_product(port);
-            for (port, bits) in &cell.connections {
-                for net in bits.iter().filter_map(|bit| bit.net()) {
-                    if !is_output(port) {
-                        *loads.entry(net).or_default() += 1;
-                    } else if ECP5.is_multiplier(cell) {
-                        registered.insert(net);
-                    }
+                for (port, bit) in [("CLK0", clock), ("CE0", ALWAYS), ("RST0", NEVER)] {
+                    cell.connect(port, bit);
                 }
+                for (port, bit, in_place_of) in moved {
+                    cell.connections.insert(port, vec![bit]);
+                    copied.extend(in_place_of);
+                }
+                packed += 1;
             }
         }
-        let multipliers = module.cells.iter().filter(|(_, cell)| ECP5.is_multiplier(cell));
-        let multipliers: Vec<String> = multipliers.map(|(name, _)| name.clone()).collect();
-        for (name, operand) in multipliers.iter().flat_map(|name| ["A", "B"].map(|operand| (name, operand))) {
-            let cell = &module.cells[name];
-            let ports = (0..18).map(|i| format!("{operand}{i}"));
-            let bits: Vec<(String, Bit)> = ports.filter_map(|port| Some((port.clone(), cell.bit(&port)?))).collect();
-            let parameter = format!("REG_INPUT{operand}_CLK");
-            let free = cell.parameter(&parameter).is_none_or(|clock| clock == "NONE");
-            let clock = bits.iter().find_map(|(_, bit)| flip_flops.get(&bit.net()?)).map(|found| found.2);
-            let own = cell.bit("CLK0").filter(|bit| bit.net().is_some());
-            let Some(clock) = clock.filter(|clock| free && own.is_none_or(|own| own == *clock)) else { continue };
-            // A register begins with zeros.
-            let moved = |(port, bit): &(String, Bit)| match bit.net() {
-                None => (*bit != ALWAYS).then(|| (port.clone(), *bit, None)),
-                Some(net) => {
-                    let (name, data, of) = flip_flops.get(&net)?;
-                    let far = data.net().is_none_or(|net| registered.contains(&net));
-                    (far && *of == clock && *data != ALWAYS).then(|| (port.clone(), *data, Some((net, name.clone()))))
-                }
-            };
-            let Some(moved) = bits.iter().map(moved).collect::<Option<Vec<_>>>() else { continue };
-            let cell = module.cells.get_mut(name).expect("it is there");
-            for (parameter, value) in [("CLK", "CLK0"), ("CE", "CE0"), ("RST", "RST0")] {
-                cell.set(&format!("REG_INPUT{operand}_{parameter}"), value);
-            }
-            for (port, bit) in [("CLK0", clock), ("CE0", ALWAYS), ("RST0", NEVER)] {
-                cell.connect(port, bit);
-            }
-            for (port, data, from) in &moved {
-                cell.connections.insert(port.clone(), vec![*data]);
-                data.net().iter().filter(|_| from.is_some()).for_each(|net| *loads.entry(*net).or_default() += 1);
-            }
-            for (net, flip_flop) in moved.into_iter().filter_map(|(_, _, from)| from) {
-                let left = loads.entry(net).or_default();
-                *left -= 1;
-                if *left == 0
-                    && let Some(gone) = module.cells.remove(&flip_flop)
-                    && let Some(before) = gone.bit(ECP5.data).and_then(Bit::net)
-                {
-                    *loads.entry(before).or_default() -= 1;
-                }
-            }
-            packed += 1;
-        }
+        // What a flip-flop that goes has read, a multiplier reads now: none goes because another has gone.
+        let output = |cell: &Cell| cell.bit("Q").and_then(Bit::net).filter(|_| is_flip_flop(&cell.kind));
+        let cells = module.cells.values();
+        let read =
+            cells.flat_map(|cell| cell.connections.iter().filter(|(port, _)| *port != "Q" || output(cell).is_none()));
+        let read = read.map(|(_, bits)| bits).chain(module.ports.values().map(|port| &port.bits));
+        let read: HashSet<u64> = read.flatten().filter_map(|bit| bit.net()).collect();
+        let gone = |cell: &Cell| output(cell).is_some_and(|net| copied.contains(&net) && !read.contains(&net));
+        module.cells.retain(|_, cell| !gone(cell));
     }
     packed
 }

@@ -155,7 +155,6 @@ fn apart<'l>(u: Top<'l>, format: &EngineFormat, query: &Query<'l>, a: &Block<'l>
     let (units, grid) = (2 * format.directions.count() / clocks, format.grid_fraction() as i32);
     let doc = ["How far B reaches in each direction: its codes through the row."];
     let reaches = u.section("rows", &doc, || {
-        // A unit that works on two directions works on opposite ones: with the second opposite codes and the ends change places.
         let codes =
             |job: &Job| (0..b.codes[0].len()).map(|j| b.codes[job.child][j ^ (job.direction & 1)]).collect::<Vec<_>>();
         let codes = (0..groups).map(|group| jobs(group).map(codes).mux()).collect::<Vec<_>>().named("b_chosen");

@@ -427,7 +427,6 @@ impl Module {
         let mut open: Vec<SignalId> = self.outputs.iter().map(|o| o.1).collect();
         let mut instances = vec![false; self.instances.len()];
         // Flags that are printed as one vector stay together.
-        let vector = |s: &Signal| s.ty.is_flag() && matches!(s.place.path[..], [Step::Index(_)]);
         while !open.is_empty() {
             while let Some(id) = open.pop() {
                 if std::mem::replace(&mut used[id.0], true) {
@@ -440,13 +439,10 @@ impl Module {
                     open.extend(&self.instances[instance].inputs);
                 }
             }
-            let elements = || self.signals.iter().enumerate().filter(|(_, s)| vector(s));
-            let bases: HashSet<&str> =
-                elements().filter(|(i, _)| used[*i]).map(|(_, s)| s.place.base.as_str()).collect();
-            open = elements()
-                .filter(|(i, s)| !used[*i] && bases.contains(s.place.base.as_str()))
-                .map(|(i, _)| SignalId(i))
-                .collect();
+            let elements = || self.signals.iter().enumerate().filter_map(|(i, s)| Some((i, s.vector()?.0)));
+            let bases: HashSet<&str> = elements().filter(|(i, _)| used[*i]).map(|(_, base)| base).collect();
+            let beside = elements().filter(|(i, base)| !used[*i] && bases.contains(base));
+            open = beside.map(|(i, _)| SignalId(i)).collect();
         }
         assert!(instances.iter().all(|used| *used), "module {}: an instance is not used", self.name);
         // Outputs of instances stay, so that every port is connected.

@@ -5,7 +5,7 @@
 //! written with [`Control`](super::Control), because it has state that no dataflow graph has.
 
 use crate::device::SHORTEST_PRODUCT;
-use crate::graph::Place;
+use crate::graph::{Place, Step};
 use crate::op::{Comb, Range, Type};
 use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
@@ -185,6 +185,12 @@ impl Signal {
     pub fn name(&self) -> String {
         self.place.to_string()
     }
+
+    /// Base and suffix of the vector that a flag is an element of: its elements stay together.
+    pub(super) fn vector(&self) -> Option<(&str, &str)> {
+        let is_element = self.ty.is_flag() && matches!(self.place.path[..], [Step::Index(_)]);
+        is_element.then_some((&self.place.base, &self.place.suffix))
+    }
 }
 
 impl Module {
@@ -208,6 +214,14 @@ impl Module {
     /// A signal.
     pub fn signal(&self, id: SignalId) -> &Signal {
         &self.signals[id.0]
+    }
+
+    /// The module and its sections.
+    // For what looks at a block as a whole.
+    #[doc(hidden)]
+    pub fn parts(&self) -> impl Iterator<Item = &Module> {
+        let sections = self.instances.iter().map(|instance| &*instance.module).filter(|module| module.section);
+        std::iter::once(self).chain(sections)
     }
 
     /// Whether the module needs a clock.

@@ -254,13 +254,13 @@ impl Printer<'_, '_> {
         let lowered = module.latency.is_some() || module.section;
         let mut functions = BTreeSet::new();
         let mut blocks = vec![];
+        // What drives ports, with other statements, then the instances.
+        let placed = |driving: Vec<Statement>, instances: Vec<&Statement>, functions: &mut _, lines: &mut _| {
+            merged(driving).iter().chain(instances).for_each(|s| self.concurrent(s, 0, functions, lines));
+        };
+        let (sections, driving): (Vec<_>, Vec<_>) = self.view.sections.iter().map(|s| (&s.0, s.1.clone())).unzip();
         let mut lines = vec![];
-        for statement in merged(self.view.sections.iter().flat_map(|(_, around)| around.clone()).collect()) {
-            self.concurrent(&statement, 0, &mut functions, &mut lines);
-        }
-        for statement in self.view.sections.iter().flat_map(|(section, _)| section) {
-            self.concurrent(statement, 0, &mut functions, &mut lines);
-        }
+        placed(driving.concat(), sections.into_iter().flatten().collect(), &mut functions, &mut lines);
         if !lines.is_empty() {
             blocks.push(Block { heading: "Sections, in the order of the data".to_owned(), lines });
         }
@@ -288,12 +288,7 @@ impl Printer<'_, '_> {
             let mut concurrent = combinational;
             let instances = || self.view.instances.iter().filter(|i| i.0 == clock);
             concurrent.extend(instances().flat_map(|i| i.2.clone()));
-            for statement in merged(concurrent) {
-                self.concurrent(&statement, 0, &mut functions, &mut lines);
-            }
-            for statement in instances().flat_map(|i| &i.1) {
-                self.concurrent(statement, 0, &mut functions, &mut lines);
-            }
+            placed(concurrent, instances().flat_map(|i| &i.1).collect(), &mut functions, &mut lines);
             if lines.is_empty() {
                 continue;
             }

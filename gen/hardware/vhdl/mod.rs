@@ -106,9 +106,9 @@ pub struct Bundle {
 }
 
 /// What the text of a module declares: the name of each signal or output port, and the signals of the netlist in it.
-pub fn declared(top: &Rc<Module>, module: &Rc<Module>) -> Vec<(String, Vec<SignalId>)> {
+pub fn declared(top: &Rc<Module>, module: &Module) -> Vec<(String, Vec<SignalId>)> {
     let records = shape::Records::of(&top.hierarchy());
-    let view = view::View::new(module, &records, Rc::ptr_eq(module, top));
+    let view = view::View::new(module, &records, std::ptr::eq(module, &**top));
     let objects = view.objects.into_iter().chain(view.outputs);
     objects.map(|object| (object.name, object.members.iter().map(|member| member.0).collect())).collect()
 }

@@ -5,7 +5,7 @@
 //! one value stay together. Constants are wherever they are read.
 
 use super::PROBE;
-use crate::graph::{Place, Section, Step};
+use crate::graph::{Place, Section};
 use crate::netlist::module::{Driver, Home, Instance, Module, Signal, SignalId};
 use crate::op::Comb;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
@@ -136,11 +136,7 @@ impl Cut<'_> {
 
     /// A place that reads a flag of a vector made elsewhere reads all of that vector that are made elsewhere.
     fn keep_vectors_together(&mut self, at: At) {
-        let vector = |id: SignalId| {
-            let signal = self.whole.signal(id);
-            let is_element = signal.ty.is_flag() && matches!(signal.place.path[..], [Step::Index(_)]);
-            (is_element && !self.made(id, at)).then_some((&signal.place.base, &signal.place.suffix))
-        };
+        let vector = |id: SignalId| self.whole.signal(id).vector().filter(|_| !self.made(id, at));
         let enter = self.signals(|id| self.read[id.0].contains(&at));
         let vectors: HashSet<_> = enter.into_iter().filter_map(vector).collect();
         let more = self.signals(|id| vector(id).is_some_and(|of| vectors.contains(&of)));
@@ -159,10 +155,16 @@ impl Cut<'_> {
         outputs.next().map_or(&self.whole.signal(id).place, |(place, _)| place)
     }
 
-    /// What is in a place, with these signals from elsewhere: the module, and where each signal of the whole is in it.
-    fn part(&self, at: At, from_elsewhere: &[SignalId]) -> (Module, HashMap<SignalId, SignalId>) {
-        let mut part =
-            Module { signals: vec![], inputs: vec![], outputs: vec![], instances: vec![], ..self.whole.clone() };
+    /// What is in a place, with these signals from elsewhere: a module of that name and header, and where each signal of the whole is in
+    /// it.
+    fn part(
+        &self,
+        at: At,
+        from_elsewhere: &[SignalId],
+        (name, doc): (&str, &[String]),
+        more: String,
+    ) -> (Module, HashMap<SignalId, SignalId>) {
+        let mut part = Module::new(name, [doc, &[more]].concat());
         let kept = self.signals(|id| self.made(id, at) || from_elsewhere.contains(&id));
         let moved: HashMap<SignalId, SignalId> =
             kept.iter().enumerate().map(|(new, id)| (*id, SignalId(new))).collect();
@@ -194,11 +196,9 @@ impl Cut<'_> {
             let leaves = self.read[id.0].iter().any(|reader| *reader != at);
             leaves && self.made(id, at) && !is_constant(self.whole.signal(id))
         });
-        let (mut module, moved) = self.part(at, &inputs);
-        module.name.clone_from(&section.name);
-        module.doc.clone_from(&section.doc);
-        module.doc.push(format!("Clocks are those of {}.", self.whole.name));
-        (module.section, module.latency) = (true, None);
+        let clocks = format!("Clocks are those of {}.", self.whole.name);
+        let (mut module, moved) = self.part(at, &inputs, (&section.name, &section.doc), clocks);
+        module.section = true;
         module.inputs = inputs.iter().map(|id| moved[id]).collect();
         module.outputs = outputs.iter().map(|id| (self.leaving(*id).clone(), moved[id])).collect();
         Made { module, inputs, outputs }
@@ -207,7 +207,9 @@ impl Cut<'_> {
     /// The block with its sections as instances behind its own.
     fn block(&self, sections: Vec<Made>) -> Module {
         let from: Vec<SignalId> = sections.iter().flat_map(|made| [&made.inputs[..], &made.outputs].concat()).collect();
-        let (mut block, moved) = self.part(None, &from);
+        let more = "Each section is an entity; delays from one to another are here.".to_owned();
+        let (mut block, moved) = self.part(None, &from, (&self.whole.name, &self.whole.doc), more);
+        block.latency = self.whole.latency;
         for made in sections {
             let instance = block.instances.len();
             for (port, id) in made.outputs.iter().enumerate() {
@@ -218,7 +220,6 @@ impl Cut<'_> {
             let inputs = made.inputs.iter().map(|id| moved[id]).collect();
             block.instances.push(Instance { place, module: Rc::new(made.module), inputs });
         }
-        block.doc.push("Each section is an entity; delays from one to another are here.".to_owned());
         block.inputs = self.whole.inputs.iter().map(|id| moved[id]).collect();
         block.outputs = self.whole.outputs.iter().map(|(place, id)| (place.clone(), moved[id])).collect();
         block

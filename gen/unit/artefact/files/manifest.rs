@@ -136,10 +136,8 @@ fn formats(design: &Design) -> Vec<Row> {
             Driver::Instance { instance, .. } => module.instances[instance].module.section,
             _ => false,
         };
-        let sections = block.instances.iter().map(|instance| &instance.module).filter(|module| module.section);
-        let all = std::iter::once(block).chain(sections);
         for (module, (name, signals)) in
-            all.flat_map(|m| vhdl::declared(&design.top, m).into_iter().map(move |d| (m, d)))
+            block.parts().flat_map(|m| vhdl::declared(&design.top, m).into_iter().map(move |d| (m, d)))
         {
             let numbers: Vec<_> = signals.iter().map(|id| module.signal(*id)).filter(|s| !s.ty.is_flag()).collect();
             // What stands later in the data path is a copy.

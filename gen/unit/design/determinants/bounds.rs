@@ -1,7 +1,7 @@
 //! How far each of the fifteen determinants can be from the truth, in eighths of 2^s (section 5 of docs/determinants.md).
 
 use super::coordinates::{Coordinates, Level, by_number};
-use super::fifteen::Fifteen;
+use super::fifteen::{self, Fifteen};
 use super::moments::{Moments, Shift};
 use super::{Points, constant, shared};
 use crate::params::{Bound, Params};
@@ -48,16 +48,10 @@ pub(super) fn bounds<'l>(u: Top<'l>, p: &Params, coordinates: &Coordinates<'l>, 
             None => fixed(u, p, level, shift),
             Some((edges, lengths, tails)) => sums(&faces(u, p, &edges, &lengths, moments, level), &tails),
         };
-        compared(&bounds.traced("bound"))
+        // Whole units.
+        let whole = bounds.traced("bound").all().iter().map(|e| e.floor(3)).collect();
+        fifteen::alike(whole, "compared_bound")
     })
-}
-
-/// Whole units of the bounds, in as many bits as the widest.
-fn compared<'l>(bounds: &Fifteen<Sig<'l>>) -> Vec<Sig<'l>> {
-    let all = bounds.all();
-    let bits = all.iter().map(|x| x.ty().bits + 1).max().unwrap_or(4) - 3;
-    let ty = Type { signed: true, bits, fraction: None };
-    all.iter().map(|e| e.floor(3).resize(ty)).collect::<Vec<_>>().named("compared_bound")
 }
 
 /// Edges, L1 norms, and what the bounds have beside F.

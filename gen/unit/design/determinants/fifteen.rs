@@ -43,12 +43,11 @@ impl<'l> Fifteen<Sig<'l>> {
     }
 }
 
-/// The determinants in as many bits as the widest.
-pub(super) fn compared<'l>(determinants: &Fifteen<Sig<'l>>) -> Vec<Sig<'l>> {
-    let all = determinants.all();
-    let bits = all.iter().map(|x| x.ty().bits).max().unwrap_or(1);
+/// Numbers as signed ones of as many bits as the widest takes.
+pub(in super::super) fn alike<'l>(all: Vec<Sig<'l>>, name: &str) -> Vec<Sig<'l>> {
+    let bits = all.iter().map(|x| x.ty().bits + u32::from(!x.ty().signed)).max().unwrap_or(1);
     let ty = Type { signed: true, bits, fraction: None };
-    all.iter().map(|x| x.resize(ty)).collect::<Vec<_>>().named("compared")
+    all.into_iter().map(|x| x.resize(ty)).collect::<Vec<_>>().named(name)
 }
 
 /// The names of the fifteen, in a row.

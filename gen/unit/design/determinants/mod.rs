@@ -52,11 +52,12 @@ pub(super) fn decided<'l>(
     let factors = [moments.m[0], moments.m[1], moments.m[2], moments.n];
     let doc = ["Section 4: the fifteen determinants, from ten dot products."];
     let determinants = u.section("pair_determinants", &doc, || {
-        fifteen::compared(&fifteen::determinants(&coordinates.points, &factors, |jobs| {
+        let determinants = fifteen::determinants(&coordinates.points, &factors, |jobs| {
             shared(u, "dot", jobs, |k, (x, m)| {
                 fifteen::dot_product(x.named_at("dot_x", k), m.named_at("dot_m", k)).named_at("dot_lane", k)
             })
-        }))
+        });
+        fifteen::alike(determinants.all(), "compared")
     });
     let bounds = bounds::bounds(u, p, &coordinates, &moments);
     let doc = ["Section 6: signs that are certain, boxes that are apart, witnesses, verdict."];

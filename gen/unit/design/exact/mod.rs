@@ -126,9 +126,7 @@ fn components<'l>(u: Top<'l>, name: &str, jobs: &[Factors<'l>]) -> Vec<Sig<'l>> 
 
 /// The signs of the determinants.
 fn signs<'l>(determinants: &Fifteen<Sig<'l>>) -> Fifteen<Sign<'l>> {
-    let all = determinants.all();
-    let bits = all.iter().map(|x| x.ty().bits).max().unwrap_or(1);
-    let all = all.into_iter().map(|x| x.bits(bits)).collect::<Vec<_>>().named("of_sign");
+    let all = fifteen::alike(determinants.all(), "of_sign");
     let doc = ["The sign of a number: (0) it is positive, (1) it is negative."];
     let of = |x: Sig<'l>| entity!("exact_sign", &doc, (x) => sign(x).named("sign"));
     Fifteen::of(&all.into_iter().map(of).collect::<Vec<_>>().named("sign"))
