@@ -3,13 +3,23 @@
 mod keywords;
 
 use keywords::LANGUAGES;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
+use std::sync::LazyLock;
 
 /// Names of the packages in use that a signal must not hide.
 const PACKAGES: &str = "ieee std work std_logic std_ulogic std_logic_vector std_ulogic_vector std_logic_1164 numeric_std \
     resize shift_left shift_right rotate_left rotate_right to_integer to_signed to_unsigned to_01 std_match rising_edge \
     falling_edge is_x to_bit to_x01 boolean bit bit_vector integer natural positive real time string character severity_level \
     true false note warning error failure now textio line";
+
+/// All words that are taken, in lower case, and by what: of a keyword the first language that has it.
+static TAKEN: LazyLock<HashMap<String, &str>> = LazyLock::new(|| {
+    let mut taken = HashMap::new();
+    for (why, words) in LANGUAGES.iter().chain(&[("is a name of the packages in use", PACKAGES)]) {
+        words.split_ascii_whitespace().for_each(|word| _ = taken.entry(word.to_ascii_lowercase()).or_insert(*why));
+    }
+    taken
+});
 
 /// A name that some tool would refuse.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -25,12 +35,8 @@ pub struct Clash {
 
 /// What is wrong with a name, if anything. Languages differ in whether case counts; here it never does.
 pub fn fault(name: &str) -> Option<&'static str> {
-    let listed = |words: &str| words.split_ascii_whitespace().any(|word| word.eq_ignore_ascii_case(name));
-    if let Some((why, _)) = LANGUAGES.iter().find(|(_, words)| listed(words)) {
+    if let Some(why) = TAKEN.get(&name.to_ascii_lowercase()) {
         return Some(why);
-    }
-    if listed(PACKAGES) {
-        return Some("is a name of the packages in use");
     }
     if !name.chars().next().is_some_and(|c| c.is_ascii_lowercase()) {
         return Some("does not begin with a lower-case letter");
