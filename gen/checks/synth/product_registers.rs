@@ -4,7 +4,7 @@
 //! vendors' tools put the register of the design there that directly follows; Yosys does not. On Virtex-II it is counted
 //! as part of the multiplier; on the other two the netlist is changed before it is placed ([`pack`]).
 //!
-//! ECP5's has registers in front of its operands too. Where a whole operand comes from registers that load what comes from a
+//! ECP5's has registers in front of its operands too. Where both operands come from registers that load what comes from a
 //! flip-flop or a multiplier, these move there: what multipliers far apart have shared is then copied ([`pack_operands`]). Registers
 //! behind logic or a memory stay beside it.
 
@@ -97,6 +97,9 @@ const NEXUS: Names = Names {
     controlled: false,
     modes: &[("GSR", &["DISABLED"])],
 };
+
+/// Operands of ECP5's multiplier.
+const OPERANDS: [&str; 2] = ["A", "B"];
 
 const NEVER: Bit = Bit::Constant(Level::Zero);
 const ALWAYS: Bit = Bit::Constant(Level::One);
@@ -305,28 +308,32 @@ fn operand(cell: &Cell, operand: &str, in_front: &HashMap<u64, (Bit, Bit)>) -> O
     (free && own.is_none_or(|own| own == clock)).then_some((moved, clock))
 }
 
-/// Moves registers of operands into the multipliers of a netlist for the ECP5; returns how many operands have theirs there. A
-/// flip-flop that something else reads stays beside its copies.
+/// Moves registers of both operands into the multipliers of a netlist for the ECP5; returns how many multipliers have theirs there.
+/// One alone stays outside: nextpnr takes both or none. A flip-flop that something else reads stays beside its copies.
 pub fn pack_operands(netlist: &mut Netlist) -> u64 {
     let mut packed = 0;
     for module in netlist.modules.values_mut() {
         let in_front = in_front(module);
         let mut copied: HashSet<u64> = HashSet::new();
         for cell in module.cells.values_mut().filter(|cell| ECP5.is_multiplier(cell)) {
-            for name in ["A", "B"] {
-                let Some((moved, clock)) = operand(cell, name, &in_front) else { continue };
+            let operands = OPERANDS.map(|name| operand(cell, name, &in_front));
+            let [Some((a, clock)), Some((b, other))] = operands else { continue };
+            if clock != other {
+                continue;
+            }
+            for name in OPERANDS {
                 for (parameter, value) in [("CLK", "CLK0"), ("CE", "CE0"), ("RST", "RST0")] {
                     cell.set(&format!("REG_INPUT{name}_{parameter}"), value);
                 }
-                for (port, bit) in [("CLK0", clock), ("CE0", ALWAYS), ("RST0", NEVER)] {
-                    cell.connect(port, bit);
-                }
-                for (port, bit, in_place_of) in moved {
-                    cell.connections.insert(port, vec![bit]);
-                    copied.extend(in_place_of);
-                }
-                packed += 1;
             }
+            for (port, bit) in [("CLK0", clock), ("CE0", ALWAYS), ("RST0", NEVER)] {
+                cell.connect(port, bit);
+            }
+            for (port, bit, in_place_of) in a.into_iter().chain(b) {
+                cell.connections.insert(port, vec![bit]);
+                copied.extend(in_place_of);
+            }
+            packed += 1;
         }
         // What a flip-flop that goes has read, a multiplier reads now: none goes because another has gone.
         let output = |cell: &Cell| cell.bit("Q").and_then(Bit::net).filter(|_| is_flip_flop(&cell.kind));
@@ -469,7 +476,7 @@ mod tests {
         assert_eq!(mode("REGSET", "SET", &["b"]), 0);
     }
 
-    /// Two multipliers that read `a` and, of the first of them, `b`; `a` is behind `x`, `b` behind `y`; `more` are cells beside them.
+    /// A multiplier of `a` and `b`, and one of `a` and `z`: `a` and `z` are behind `x`, `b` is behind `y`; `more` are cells beside them.
     fn operands(y: &str, more: &str) -> Netlist {
         let flip_flop = |d: u64, q: u64| {
             format!(r#"{{"type": "TRELLIS_FF", "connections": {{"DI": [{d}], "Q": [{q}], "CLK": [1], "LSR": ["0"]}}}}"#)
@@ -478,10 +485,11 @@ mod tests {
             format!(r#"{{"type": "MULT18X18D", "connections": {{"A0": [3], "A1": ["0"], "B0": [{b}], "P0": [{p}]}}}}"#)
         };
         let cells = [
-            ("x", flip_flop(8, 2)),
+            ("x", flip_flop(9, 2)),
             ("a", flip_flop(2, 3)),
             ("y", y.replace("NET", "4")),
             ("b", flip_flop(4, 5)),
+            ("z", flip_flop(2, 8)),
             ("m", multiplier(5, 6)),
             ("n", multiplier(8, 7)),
         ];
@@ -492,23 +500,23 @@ mod tests {
     #[test]
     fn registers_of_operands_move_into_each_multiplier() {
         let inner = r#"{"type": "MULT18X18D", "connections": {"P0": [NET]}}"#;
-        let table = r#"{"type": "LUT4", "connections": {"A": [8], "Z": [NET]}}"#;
-        let reader = r#", "r": {"type": "LUT4", "connections": {"A": [3], "Z": [9]}}"#;
-        // Operands taken in, and whether the flip-flops are left.
+        let table = r#"{"type": "LUT4", "connections": {"A": [9], "Z": [NET]}}"#;
+        let reader = r#", "r": {"type": "LUT4", "connections": {"A": [3], "Z": [10]}}"#;
+        // Multipliers with operands taken in, and whether the flip-flops are left.
         let found = |y: &str, more: &str| {
             let mut netlist = operands(y, more);
             let packed = pack_operands(&mut netlist);
             let cells = &netlist.modules["top"].cells;
             (packed, ["x", "a", "b"].map(|name| cells.contains_key(name)))
         };
-        assert_eq!(found(inner, ""), (3, [true, false, false]));
-        assert_eq!(found(table, ""), (2, [true, false, true]), "a register behind logic stays");
-        assert_eq!(found(inner, reader), (3, [true, true, false]), "one that is read elsewhere stays");
+        assert_eq!(found(inner, ""), (2, [true, false, false]));
+        assert_eq!(found(table, ""), (1, [true, true, true]), "a register behind logic stays, and the other operand's");
+        assert_eq!(found(inner, reader), (2, [true, true, false]), "one that is read elsewhere stays");
         let mut netlist = operands(inner, "");
         pack_operands(&mut netlist);
         let n = &netlist.modules["top"].cells["n"];
-        assert_eq!(["A0", "B0", "CLK0"].map(|port| n.bit(port)), [2, 8, 1].map(|net| Some(Bit::Net(net))));
-        assert_eq!(["REG_INPUTA_CLK", "REG_INPUTB_CLK"].map(|name| n.parameter(name)), [Some("CLK0"), None]);
+        assert_eq!(["A0", "B0", "CLK0"].map(|port| n.bit(port)), [2, 2, 1].map(|net| Some(Bit::Net(net))));
+        assert_eq!(["REG_INPUTA_CLK", "REG_INPUTB_CLK"].map(|name| n.parameter(name)), [Some("CLK0"); 2]);
         assert_eq!(pack_operands(&mut netlist), 0, "once more there is nothing to be moved");
     }
 
@@ -520,9 +528,10 @@ mod tests {
             change(netlist.modules.get_mut("top").unwrap().cells.get_mut("a").unwrap());
             pack_operands(&mut netlist)
         };
-        assert_eq!(with(&|a| a.set("REGSET", "SET")), 1);
-        assert_eq!(with(&|a| a.connect("CE", Bit::Net(9))), 1);
-        assert_eq!(with(&|a| a.connect("CLK", Bit::Net(9))), 2, "of the first multiplier one clock");
+        assert_eq!(with(&|_| ()), 2);
+        assert_eq!(with(&|a| a.set("REGSET", "SET")), 0);
+        assert_eq!(with(&|a| a.connect("CE", Bit::Net(10))), 0);
+        assert_eq!(with(&|a| a.connect("CLK", Bit::Net(10))), 0, "one clock for both operands");
     }
 
     #[test]
