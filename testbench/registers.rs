@@ -121,7 +121,7 @@ const MISTAKES: [(&str, &str); 24] = [
 
 #[test]
 fn mistakes_in_the_registers_are_noticed() {
-    let files = unit(&tiny());
+    let files = unit(&small());
     let Some(right) = bench(ghdl(), &files) else { return };
     assert!(fine(&said(&right, &PASS)));
     let text = files.get("efsat_registers.vhd").unwrap();

@@ -63,28 +63,41 @@ impl Ghdl {
         Self { tool, dir: dir.to_owned(), _scratch: None }
     }
 
-    /// In a new folder with these files, names and texts, analysed in their order. The same files are analysed once in a run
-    /// of the tests.
-    pub fn analysed(tool: &'static Tool, files: &[(&str, &str)]) -> Self {
+    /// In a new folder with these files, names and texts, analysed in their order. They come in stages: a stage behind the same
+    /// others is analysed once in a run of the tests.
+    pub fn analysed(tool: &'static Tool, stages: &[Vec<(&str, &str)>]) -> Self {
         type Analysed = HashMap<String, Arc<OnceLock<Ghdl>>>;
         static ANALYSED: LazyLock<Mutex<Analysed>> = LazyLock::new(Mutex::default);
-        let key =
-            files.iter().fold(tool.path.display().to_string(), |key, (name, text)| key + "\n" + name + "\n" + text);
-        let place = ANALYSED.lock().unwrap().entry(key).or_default().clone();
-        let first = place.get_or_init(|| {
-            let made = Self { tool, dir: tempfile::tempdir_in(kept()).unwrap().keep(), _scratch: None };
-            files.iter().for_each(|(name, text)| made.write(name, text));
-            made.analyse(&files.iter().map(|(name, _)| *name).collect::<Vec<_>>());
-            made
-        });
-        first.copy()
+        let mut key = tool.path.display().to_string();
+        let mut last: Option<Arc<OnceLock<Self>>> = None;
+        for files in stages {
+            files.iter().for_each(|(name, text)| key.extend(["\n", name, "\n", text]));
+            let place = ANALYSED.lock().unwrap().entry(key.clone()).or_default().clone();
+            place.get_or_init(|| {
+                let made = Self { tool, dir: tempfile::tempdir_in(kept()).unwrap().keep(), _scratch: None };
+                if let Some(last) = last.as_ref().and_then(|last| last.get()) {
+                    last.copy_to(&made.dir);
+                }
+                files.iter().for_each(|(name, text)| made.write(name, text));
+                if !files.is_empty() {
+                    made.analyse(&files.iter().map(|(name, _)| *name).collect::<Vec<_>>());
+                }
+                made
+            });
+            last = Some(place);
+        }
+        last.as_ref().and_then(|last| last.get()).expect("a stage").copy()
     }
 
     /// A copy of the folder, with all that was analysed in it.
     pub fn copy(&self) -> Self {
         let copy = Self::new(self.tool);
-        super::run(&self.dir, "cp", &["-a", ".", copy.dir.to_str().unwrap()]);
+        self.copy_to(&copy.dir);
         copy
+    }
+
+    fn copy_to(&self, dir: &Path) {
+        super::run(&self.dir, "cp", &["-a", ".", dir.to_str().unwrap()]);
     }
 
     pub fn write(&self, name: &str, text: &str) {
