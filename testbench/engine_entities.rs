@@ -48,7 +48,7 @@ fn tried(design: &EngineDesign, name: &str, changes: &[(&str, &str)], test: impl
     tried_with(design, name, &[], changes, test);
 }
 
-/// The same of an entity that has others in it. The package that all of them share is in front.
+/// The same of an entity that has others in it, of which one may be changed. The package that all of them share is in front.
 fn tried_with(
     design: &EngineDesign,
     name: &str,
@@ -65,7 +65,12 @@ fn tried_with(
     );
     test(&mut Entity::new(ghdl, name, text, &parts)).unwrap_or_else(|error| panic!("{name}: {error}"));
     for (from, to) in changes {
-        let outcome = test(&mut Entity::new(ghdl, name, &replaced(text, from, to), &parts));
+        let own = text.contains(from);
+        let (text, parts) = match own {
+            true => (&replaced(text, from, to), &parts),
+            false => (text, &replaced(&parts, from, to)),
+        };
+        let outcome = test(&mut Entity::new(ghdl, name, text, parts));
         assert!(outcome.is_err(), "{name}: not noticed: {from}");
     }
 }

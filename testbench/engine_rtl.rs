@@ -24,7 +24,7 @@ use nalgebra::Point3;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
-use std::sync::Arc;
+use std::rc::Rc;
 
 /// A unit that simulates fast: it has few registers.
 pub(crate) fn small() -> Params {
@@ -58,7 +58,7 @@ pub(crate) fn analysed(ghdl: &'static Tool, files: &FileSet, list: &[&str]) -> G
 /// A generated engine in a folder of its own.
 pub(crate) struct Bench {
     ghdl: Ghdl,
-    pub design: Arc<EngineDesign>,
+    pub design: Rc<EngineDesign>,
     pub files: FileSet,
 }
 
@@ -71,7 +71,7 @@ impl Bench {
         let vectors = samples::text(&design).unwrap();
         let files = engine_design_files(&design, &Prefix::default(), &design.command_line(), &vectors).unwrap();
         let ghdl = analysed(ghdl, &files, &files.get("files.txt").unwrap().lines().collect::<Vec<_>>());
-        Self { ghdl, design: Arc::new(design), files }
+        Self { ghdl, design: Rc::new(design), files }
     }
 
     /// The same with a change of a file, from one text to another: it is analysed, and those that depend on it.
@@ -80,7 +80,8 @@ impl Bench {
         other.ghdl.write(name, &replaced(self.files.get(name).unwrap(), from, to));
         let mut changed: Vec<&str> = vec![];
         for file in self.files.get("files.txt").unwrap().lines().skip_while(|file| *file != name) {
-            let uses = |unit: &str| self.files.get(file).unwrap().contains(&format!("work.{}", unit.trim_end_matches(".vhd")));
+            let uses =
+                |unit: &str| self.files.get(file).unwrap().contains(&format!("work.{}", unit.trim_end_matches(".vhd")));
             if file == name || changed.iter().any(|unit| uses(unit)) {
                 changed.push(file);
             }
@@ -205,7 +206,7 @@ fn a_mesh_that_was_written_over_is_read_again() {
     let options = ["-gpasses=1", "-glatency_least=5", "-glatency_most=20"];
     bench.passes(vectors.text(), &options);
     // Caches that are kept hold what is not there any more.
-    let change = ("engine_control.vhd", "not known or not checked(job_keep);", "not known or checked(job_keep);");
+    let change = ("engine_check.vhd", "not known or not checked(job_keep);", "not known or checked(job_keep);");
     bench.notices(in_full([change]), &[vectors.text()], &options);
 }
 
@@ -249,7 +250,7 @@ fn pairs_and_poses_come_in_turn_with_queries() {
         ("engine_command.vhd", " or (busy and head_kind(is_pairs));", ";"),
         ("engine_control.vhd", "job_due <= job_valid and all_idle when", "job_due <= job_valid when"),
         // The last pair of a packet is that which arrives, not that which is answered.
-        ("efsat_engine.vhd", "decided_last <= tested_numbers(tag_last) and", "decided_last <= packet_last and"),
+        ("engine_triangles.vhd", "decided_last <= tested_numbers(tag_last) and", "decided_last <= packet_last and"),
         // The options of a query stay.
         (
             "efsat_engine.vhd",
@@ -278,17 +279,17 @@ fn a_wrong_engine_is_noticed() {
     let slow: &[&str] = &["-gpasses=2", "-glatency_least=5", "-glatency_most=60"];
     let changes: [(&str, &str, &str, &[&str]); 12] = [
         // Flying pairs are not counted; the last survivor is not; the push order loses one.
-        ("engine_traverse.vhd", "nodes_finished <= candidate and is_last;", "nodes_finished <= candidate;", quick),
+        ("engine_survivors.vhd", "nodes_finished <= candidate and is_last;", "nodes_finished <= candidate;", quick),
         (
-            "engine_traverse.vhd",
+            "engine_survivors.vhd",
             "\"0100\" when left_over(2) = '1' else",
             "\"0110\" when left_over(2) = '1' else",
             quick,
         ),
         // A leaf beside an inner node becomes an inner node; its side is the other.
-        ("engine_traverse.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
+        ("engine_survivors.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
         // Inner nodes are joined as if they were leaves.
-        ("engine_traverse.vhd", "joins_a(0) <= next_leaf(3) and next_leaf(2) and", "joins_a(0) <=", quick),
+        ("engine_survivors.vhd", "joins_a(0) <= next_leaf(3) and next_leaf(2) and", "joins_a(0) <=", quick),
         // Links that go back are taken.
         (
             "engine_children.vhd",
@@ -369,23 +370,23 @@ fn the_rule_of_the_stack_is_exact() {
     let [wider, _] = counts(&bench(12, 16).run_vectors(vectors.text(), &options)).expect("no mismatch");
     assert!(wider < due[0], "{wider:?} clocks; expected fewer than {due:?}");
 
-    let file = "engine_traverse.vhd";
+    let (lane, survivors) = ("engine_lane.vhd", "engine_survivors.vhd");
     let order = "\"1000\" when left_over(3) = '1' else\n    \"0100\" when left_over(2) = '1' else\n    \"0010\" when \
                  left_over(1) = '1' else";
     let changes = [
         // W too large by one.
-        (file, "to_signed(wide - 6, ", "to_signed(wide - 5, "),
+        (lane, "to_signed(wide - 6, ", "to_signed(wide - 5, "),
         // Pairs in flight are not counted.
-        (file, "(change - 3)", "(change + 1)"),
+        (lane, "(change - 3)", "(change + 1)"),
         // Both left children are pushed first, and popped last.
         (
-            file,
+            survivors,
             order,
             "\"0001\" when left_over(0) = '1' else\n    \"0010\" when left_over(1) = '1' else\n    \"0100\" when \
              left_over(2) = '1' else",
         ),
         // Of an inner node one child alone is meant.
-        (file, "downto 0) & \"11\" when child_a(29)", "downto 0) & \"01\" when child_a(29)"),
+        (survivors, "downto 0) & \"11\" when child_a(29)", "downto 0) & \"01\" when child_a(29)"),
     ];
     let unnoticed: Vec<&str> = share(4, changes)
         .into_iter()

@@ -127,7 +127,6 @@ architecture rtl of efsat_engine is
   signal query_errors : std_logic_vector(query_errors_bits - 1 downto 0);
   signal query_rows : std_logic_vector(query_rows_bits - 1 downto 0);
   signal pose : std_logic_vector(pose_bits - 1 downto 0);
-  signal pose_words : std_logic_vector(job_pose);
   signal short : std_logic;
   signal reason : std_logic_vector(4 downto 0);
   signal number : std_logic_vector(23 downto 0);
@@ -174,43 +173,18 @@ architecture rtl of efsat_engine is
   signal leaf_b : std_logic_vector(27 downto 0);
   signal triangles_valid : std_logic;
   signal triangles_there : std_logic;  -- and not sent yet
-  signal triangles_go : std_logic;  -- to the unit, or past it, or they are dropped
-  signal triangles_taken : std_logic := '0';  -- the same, a clock ago
+  signal triangles_taken : std_logic;
   signal triangles_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal testable : std_logic;
   signal drops : std_logic;
-  signal tests_them : std_logic;  -- they are for the unit
-  signal passes_them : std_logic;  -- they are for the way past it
   signal triangle_a : std_logic_vector(triangle_bits - 1 downto 0);
   signal triangle_b : std_logic_vector(triangle_bits - 1 downto 0);
-  signal numbers : std_logic_vector(55 downto 0);
-  signal unit_v : std_logic_vector(287 downto 0);  -- nine words for each triangle
-  signal unit_w : std_logic_vector(287 downto 0);
-  signal unit_tag : std_logic_vector(lane_bits + 55 downto 0);
-  signal unit_valid : std_logic;
-  signal unit_ready : std_logic;
-  signal tested_valid : std_logic;
-  signal tested_verdict : std_logic_vector(1 downto 0);
-  signal tested_separated : std_logic_vector(8 downto 0);
-  signal tested_overlapping : std_logic_vector(8 downto 0);
-  signal tested_outside : std_logic;
-  signal tested_tag : std_logic_vector(lane_bits + 55 downto 0);
-  signal tested_numbers : std_logic_vector(55 downto 0);
-  constant tag_last : natural := 16;  -- of a pair of a packet: it is the last one
-  signal tested_flags : std_logic_vector(39 downto 0);
-  signal tested_taken : std_logic;
-  signal decided_lane : std_logic_vector(lane_bits - 1 downto 0);
-  signal answerable : std_logic;  -- no older query has to be answered first
-  signal decided_taken : std_logic;
   signal decided_valid : std_logic;
   signal decided_ready : std_logic;
   signal verdict : std_logic_vector(1 downto 0);
   signal decided_numbers : std_logic_vector(55 downto 0);
   signal decided_last : std_logic;
   signal decided_outside : std_logic;
-  signal bypass_free : std_logic;
-  signal bypassed_valid : std_logic := '0';
-  signal bypassed_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal pair_answered : std_logic;
 
   -- Events
@@ -232,26 +206,12 @@ architecture rtl of efsat_engine is
   signal renew : std_logic;
   signal greatest_stack : unsigned(15 downto 0);
 
-  -- Memory: blocks of A, blocks of B, triangles of A, triangles of B
+  -- Memory
   signal memory_error : std_logic;
   signal memory_draining : std_logic;
   signal memory_silent : std_logic;
   signal flush : std_logic;
   signal flushing : std_logic;
-  signal busy_caches : std_logic_vector(3 downto 0);
-  signal ask_valid : std_logic_vector(3 downto 0);
-  signal ask_ready : std_logic_vector(3 downto 0);
-  signal ask_address_0 : std_logic_vector(25 downto 0);
-  signal ask_address_1 : std_logic_vector(25 downto 0);
-  signal ask_address_2 : std_logic_vector(25 downto 0);
-  signal ask_address_3 : std_logic_vector(25 downto 0);
-  signal fill_valid : std_logic_vector(3 downto 0);
-  signal fill_data : std_logic_vector(memory_width - 1 downto 0);
-  signal line_ready : std_logic_vector(3 downto 0);
-  signal line_valid : std_logic_vector(3 downto 0);
-  signal missed : std_logic_vector(3 downto 0);
-  signal both_blocks_ask : std_logic;
-  signal both_triangles_ask : std_logic;
 begin
   reset <= not aresetn;
   forget <= soft_reset or reset_word;
@@ -369,7 +329,6 @@ begin
       stop_at_contact => stop_at_contact,
       separate_too => option_separate_too
     );
-  pose_words <= pose;
   leaves_only <= leaves_of(to_integer(unsigned(front)));
   -- Of packets of pairs all are answered: what the options of the last query in the lane were means nothing.
   separate_too <= option_separate_too or not running;
@@ -479,111 +438,36 @@ begin
     );
   triangles_asked <= triangle_request and triangle_accepted;
 
-  -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the 16 bits of their tag the
-  -- unit's tag says which is the last of its packet.
-  -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign.
-  unit_v <= triangle_a(triangle_corners) when running = '1' else job_words(job_pair_v);
-  unit_w <= triangle_b(triangle_corners) when running = '1' else job_words(job_pair_w);
-  unit_tag <= triangles_lane & numbers when running = '1' else
-    "00000000000000000000000000000000000000000" & packet_last & job_words(job_pair_tag);
-  packet_taken <= packet_valid and unit_ready;
-
-  -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
-  -- The numbers of triangles are in the low bits of the first word, 28 of them.
-  numbers <= triangle_b(triangle_number) & triangle_a(triangle_number);
-  bypass_free <= not bypassed_valid;
-  tests_them <= triangles_there and testable and not leaves_only and not drops;
-  passes_them <= triangles_there and testable and leaves_only and not drops;
-  unit_valid <= tests_them or packet_valid;
-  triangles_go <= triangles_there and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
-  -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs a pair nothing, because
-  -- the unit does not take the next one at once.
-  triangles_there <= triangles_valid and not triangles_taken;
-
-  send : process (aclk)
-  begin
-    if rising_edge(aclk) then
-      triangles_taken <= triangles_go and not restart;
-    end if;
-  end process send;
-
-  bypass : process (aclk)
-  begin
-    if rising_edge(aclk) then
-      if bypass_free = '1' then
-        bypassed_numbers <= numbers;
-      end if;
-      if restart = '1' then
-        bypassed_valid <= '0';
-      elsif bypass_free = '1' then
-        bypassed_valid <= passes_them;
-      elsif decided_taken = '1' then
-        bypassed_valid <= '0';
-      end if;
-    end if;
-  end process bypass;
-
-  unit : entity work.efsat
+  triangles : entity work.engine_triangles
     port map (
       clk => aclk,
       reset => restart,
-      in_valid => unit_valid,
-      in_ready => unit_ready,
-      in_tag => unit_tag,
-      in_v0_x => unit_v(31 downto 0),
-      in_v0_y => unit_v(63 downto 32),
-      in_v0_z => unit_v(95 downto 64),
-      in_v1_x => unit_v(127 downto 96),
-      in_v1_y => unit_v(159 downto 128),
-      in_v1_z => unit_v(191 downto 160),
-      in_v2_x => unit_v(223 downto 192),
-      in_v2_y => unit_v(255 downto 224),
-      in_v2_z => unit_v(287 downto 256),
-      in_w0_x => unit_w(31 downto 0),
-      in_w0_y => unit_w(63 downto 32),
-      in_w0_z => unit_w(95 downto 64),
-      in_w1_x => unit_w(127 downto 96),
-      in_w1_y => unit_w(159 downto 128),
-      in_w1_z => unit_w(191 downto 160),
-      in_w2_x => unit_w(223 downto 192),
-      in_w2_y => unit_w(255 downto 224),
-      in_w2_z => unit_w(287 downto 256),
-      pose_m00 => pose_words(job_pose_m00),
-      pose_m01 => pose_words(job_pose_m01),
-      pose_m02 => pose_words(job_pose_m02),
-      pose_m10 => pose_words(job_pose_m10),
-      pose_m11 => pose_words(job_pose_m11),
-      pose_m12 => pose_words(job_pose_m12),
-      pose_m20 => pose_words(job_pose_m20),
-      pose_m21 => pose_words(job_pose_m21),
-      pose_m22 => pose_words(job_pose_m22),
-      pose_t_x => pose_words(job_pose_t_x),
-      pose_t_y => pose_words(job_pose_t_y),
-      pose_t_z => pose_words(job_pose_t_z),
+      running => running,
+      oldest => oldest,
+      front => front,
+      leaves_only => leaves_only,
+      triangles_valid => triangles_valid,
+      triangles_there => triangles_there,
+      triangles_taken => triangles_taken,
+      triangles_lane => triangles_lane,
+      triangle_a => triangle_a,
+      triangle_b => triangle_b,
+      testable => testable,
+      drops => drops,
+      packet_valid => packet_valid,
+      packet_taken => packet_taken,
+      packet_last => packet_last,
+      job_words => job_words,
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      pose_bypass => pose_words(job_bypass),
-      out_valid => tested_valid,
-      out_ready => tested_taken,
-      out_verdict => tested_verdict,
-      out_separated => tested_separated,
-      out_overlapping => tested_overlapping,
-      out_outside => tested_outside,
-      out_tag => tested_tag
+      pose => pose,
+      decided_valid => decided_valid,
+      decided_ready => decided_ready,
+      verdict => verdict,
+      decided_numbers => decided_numbers,
+      decided_last => decided_last,
+      decided_outside => decided_outside
     );
-  tested_numbers <= tested_tag(55 downto 0);
-  decided_lane <= front when leaves_only = '1' else tested_tag(lane_bits + 55 downto 56);
-  answerable <= '1' when decided_lane = oldest or running = '0' else '0';
-  decided_taken <= decided_ready and answerable;
-  tested_taken <= decided_taken and not leaves_only;
-  decided_valid <= bypassed_valid and answerable when leaves_only = '1' else tested_valid and answerable;
-  verdict <= "10" when leaves_only = '1' else tested_verdict;
-  tested_flags <= "0000000000000000000000" & tested_overlapping & tested_separated;
-  decided_outside <= tested_outside and not running;
-  decided_numbers <= bypassed_numbers when leaves_only = '1' else
-    tested_numbers when running = '1' else
-    tested_flags & tested_numbers(15 downto 0);
-  decided_last <= tested_numbers(tag_last) and not running;
 
   -- ===== Answers =====
   answer : entity work.engine_answer
@@ -642,132 +526,51 @@ begin
   stalled <= pair_valid and not pair_ready;
 
   -- ===== Memory =====
-  -- Bases are addresses / 64: control runs no query about a tree that ends beyond 2^32, so bits 31..26 are zero where a line is read.
-  blocks_of_a : entity work.engine_block_cache
+  lines : entity work.engine_lines
     port map (
       clk => aclk,
-      reset => restart,
-      flush => flush,
-      flushing => busy_caches(0),
-      base => block_base_a(25 downto 0),
-      request_valid => both_blocks_ask,
-      request_ready => line_ready(0),
-      request => request_a,
-      line_valid => line_valid(0),
-      line_taken => blocks_taken,
-      data => block_a,
-      ask_valid => ask_valid(0),
-      ask_ready => ask_ready(0),
-      ask_address => ask_address_0,
-      fill_valid => fill_valid(0),
-      fill_data => fill_data,
-      missed => missed(0)
-    );
-
-  blocks_of_b : entity work.engine_block_cache
-    port map (
-      clk => aclk,
-      reset => restart,
-      flush => flush,
-      flushing => busy_caches(1),
-      base => block_base_b(25 downto 0),
-      request_valid => both_blocks_ask,
-      request_ready => line_ready(1),
-      request => request_b,
-      line_valid => line_valid(1),
-      line_taken => blocks_taken,
-      data => block_b,
-      ask_valid => ask_valid(1),
-      ask_ready => ask_ready(1),
-      ask_address => ask_address_1,
-      fill_valid => fill_valid(1),
-      fill_data => fill_data,
-      missed => missed(1)
-    );
-
-  triangles_of_a : entity work.engine_triangle_cache
-    port map (
-      clk => aclk,
-      reset => restart,
-      flush => flush,
-      flushing => busy_caches(2),
-      base => triangle_base_a(25 downto 0),
-      request_valid => both_triangles_ask,
-      request_ready => line_ready(2),
-      request => leaf_a,
-      line_valid => line_valid(2),
-      line_taken => triangles_taken,
-      data => triangle_a,
-      ask_valid => ask_valid(2),
-      ask_ready => ask_ready(2),
-      ask_address => ask_address_2,
-      fill_valid => fill_valid(2),
-      fill_data => fill_data,
-      missed => missed(2)
-    );
-
-  triangles_of_b : entity work.engine_triangle_cache
-    port map (
-      clk => aclk,
-      reset => restart,
-      flush => flush,
-      flushing => busy_caches(3),
-      base => triangle_base_b(25 downto 0),
-      request_valid => both_triangles_ask,
-      request_ready => line_ready(3),
-      request => leaf_b,
-      line_valid => line_valid(3),
-      line_taken => triangles_taken,
-      data => triangle_b,
-      ask_valid => ask_valid(3),
-      ask_ready => ask_ready(3),
-      ask_address => ask_address_3,
-      fill_valid => fill_valid(3),
-      fill_data => fill_data,
-      missed => missed(3)
-    );
-
-  -- Both sides take a request, or none; so do both give their lines.
-  block_accepted <= line_ready(0) and line_ready(1);
-  both_blocks_ask <= block_request and block_accepted;
-  triangle_accepted <= line_ready(2) and line_ready(3);
-  both_triangles_ask <= triangle_request and triangle_accepted;
-  blocks_valid <= line_valid(0) and line_valid(1);
-  triangles_valid <= line_valid(2) and line_valid(3);
-  flushing <= '0' when busy_caches = "0000" else '1';
-  -- Caches 0 and 1 hold blocks, 2 and 3 triangles.
-  block_reads <= missed(1 downto 0);
-  triangle_reads <= missed(3 downto 2);
-
-  read_master : entity work.engine_read_master
-    port map (
-      clk => aclk,
-      reset => reset,
       restart => restart,
-      ask_valid => ask_valid,
-      ask_ready => ask_ready,
-      ask_address_0 => ask_address_0,
-      ask_address_1 => ask_address_1,
-      ask_address_2 => ask_address_2,
-      ask_address_3 => ask_address_3,
-      fill_valid => fill_valid,
-      fill_data => fill_data,
-      failed => memory_error,
-      draining => memory_draining,
-      silent => memory_silent,
-      word_read => words_read,
       m_axi_araddr => m_axi_araddr,
       m_axi_arlen => m_axi_arlen,
       m_axi_arsize => m_axi_arsize,
       m_axi_arburst => m_axi_arburst,
+      m_axi_arcache => m_axi_arcache,
+      m_axi_arprot => m_axi_arprot,
       m_axi_arvalid => m_axi_arvalid,
       m_axi_arready => m_axi_arready,
       m_axi_rdata => m_axi_rdata,
       m_axi_rresp => m_axi_rresp,
       m_axi_rlast => m_axi_rlast,
       m_axi_rvalid => m_axi_rvalid,
-      m_axi_rready => m_axi_rready
+      m_axi_rready => m_axi_rready,
+      reset => reset,
+      flush => flush,
+      flushing => flushing,
+      failed => memory_error,
+      draining => memory_draining,
+      silent => memory_silent,
+      block_base_a => block_base_a,
+      block_base_b => block_base_b,
+      block_request => block_request,
+      block_accepted => block_accepted,
+      request_a => request_a,
+      request_b => request_b,
+      blocks_valid => blocks_valid,
+      blocks_taken => blocks_taken,
+      block_a => block_a,
+      block_b => block_b,
+      triangle_base_a => triangle_base_a,
+      triangle_base_b => triangle_base_b,
+      triangle_request => triangle_request,
+      triangle_accepted => triangle_accepted,
+      leaf_a => leaf_a,
+      leaf_b => leaf_b,
+      triangles_valid => triangles_valid,
+      triangles_taken => triangles_taken,
+      triangle_a => triangle_a,
+      triangle_b => triangle_b,
+      block_reads => block_reads,
+      triangle_reads => triangle_reads,
+      words_read => words_read
     );
-  m_axi_arcache <= "0011";
-  m_axi_arprot <= "000";
 end architecture rtl;

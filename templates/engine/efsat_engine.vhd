@@ -38,7 +38,6 @@ architecture rtl of {{ prefix }}efsat_engine is
 {%- if e.unit.signs.len() > 0 %}
   signal job_unfit : std_logic;
   signal packet_unfit : std_logic;  -- of the pair: a number is no sign extension
-  signal pose_unfit : std_logic := '0';  -- the same of the pose
 {%- endif %}
   signal packet_valid : std_logic;  -- a pair of a packet, not of a query
   signal packet_taken : std_logic;
@@ -81,7 +80,6 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal query_errors : std_logic_vector(query_errors_bits - 1 downto 0);
   signal query_rows : std_logic_vector(query_rows_bits - 1 downto 0);
   signal pose : std_logic_vector(pose_bits - 1 downto 0);
-  signal pose_words : std_logic_vector(job_pose);
   signal short : std_logic;
   signal reason : std_logic_vector(4 downto 0);
   signal number : std_logic_vector(23 downto 0);
@@ -128,46 +126,12 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal leaf_b : std_logic_vector(27 downto 0);
   signal triangles_valid : std_logic;
   signal triangles_there : std_logic;{% if e.unit.paced %}  -- and not sent yet{% endif %}
-  signal triangles_go : std_logic;  -- to the unit, or past it, or they are dropped
-  signal triangles_taken : std_logic{% if e.unit.paced %} := '0';  -- the same, a clock ago{% else %};{% endif %}
+  signal triangles_taken : std_logic;
   signal triangles_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal testable : std_logic;
   signal drops : std_logic;
-  signal tests_them : std_logic;  -- they are for the unit
-  signal passes_them : std_logic;  -- they are for the way past it
   signal triangle_a : std_logic_vector(triangle_bits - 1 downto 0);
   signal triangle_b : std_logic_vector(triangle_bits - 1 downto 0);
-  signal numbers : std_logic_vector(55 downto 0);
-  signal unit_v : std_logic_vector(287 downto 0);  -- nine words for each triangle
-  signal unit_w : std_logic_vector(287 downto 0);
-{%- if e.unit.sticky %}
-  signal sticky_v : std_logic_vector(8 downto 0);
-  signal sticky_w : std_logic_vector(8 downto 0);
-{%- endif %}
-  signal unit_tag : std_logic_vector(lane_bits + 55 downto 0);
-  signal unit_valid : std_logic;
-  signal unit_ready : std_logic;
-  signal tested_valid : std_logic;
-  signal tested_verdict : std_logic_vector(1 downto 0);
-  signal tested_separated : std_logic_vector({{ e.unit.flags }});
-  signal tested_overlapping : std_logic_vector({{ e.unit.flags }});
-{%- if e.unit.guarded %}
-  signal tested_outside : std_logic;
-{%- endif %}
-  signal tested_tag : std_logic_vector(lane_bits + 55 downto 0);
-  signal tested_numbers : std_logic_vector(55 downto 0);
-  constant tag_last : natural := {{ e.unit.tag_last }};  -- of a pair of a packet: it is the last one
-{%- if e.unit.signs.len() > 0 %}
-  constant tag_unfit : natural := {{ e.unit.tag_unfit }};  -- a number of it does not fit
-{%- endif %}
-  signal tested_flags : std_logic_vector(39 downto 0);
-{%- if e.unit.signs.len() > 0 %}
-  signal tested_unfit : std_logic;
-{%- endif %}
-  signal tested_taken : std_logic;
-  signal decided_lane : std_logic_vector(lane_bits - 1 downto 0);
-  signal answerable : std_logic;  -- no older query has to be answered first
-  signal decided_taken : std_logic;
   signal decided_valid : std_logic;
   signal decided_ready : std_logic;
   signal verdict : std_logic_vector(1 downto 0);
@@ -176,9 +140,6 @@ architecture rtl of {{ prefix }}efsat_engine is
 {%- if e.unit.guarded %}
   signal decided_outside : std_logic;
 {%- endif %}
-  signal bypass_free : std_logic;
-  signal bypassed_valid : std_logic := '0';
-  signal bypassed_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal pair_answered : std_logic;
 
   -- Events
@@ -209,26 +170,12 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal write_data : std_logic_vector(63 downto 0);
 {%- else %}
 
-  -- Memory: blocks of A, blocks of B, triangles of A, triangles of B
+  -- Memory
   signal memory_error : std_logic;
   signal memory_draining : std_logic;
   signal memory_silent : std_logic;
   signal flush : std_logic;
   signal flushing : std_logic;
-  signal busy_caches : std_logic_vector(3 downto 0);
-  signal ask_valid : std_logic_vector(3 downto 0);
-  signal ask_ready : std_logic_vector(3 downto 0);
-  signal ask_address_0 : std_logic_vector(25 downto 0);
-  signal ask_address_1 : std_logic_vector(25 downto 0);
-  signal ask_address_2 : std_logic_vector(25 downto 0);
-  signal ask_address_3 : std_logic_vector(25 downto 0);
-  signal fill_valid : std_logic_vector(3 downto 0);
-  signal fill_data : std_logic_vector(memory_width - 1 downto 0);
-  signal line_ready : std_logic_vector(3 downto 0);
-  signal line_valid : std_logic_vector(3 downto 0);
-  signal missed : std_logic_vector(3 downto 0);
-  signal both_blocks_ask : std_logic;
-  signal both_triangles_ask : std_logic;
 {%- endif %}
 begin
   reset <= not aresetn;
@@ -365,25 +312,10 @@ begin
       stop_at_contact => stop_at_contact,
       separate_too => option_separate_too
     );
-  pose_words <= pose;
   leaves_only <= leaves_of(to_integer(unsigned(front)));
   -- Of packets of pairs all are answered: what the options of the last query in the lane were means nothing.
   separate_too <= option_separate_too or not running;
   ends_at_contact <= stop_at_contact and running;
-{%- if e.unit.signs.len() > 0 %}
-
-  -- With the bypass the numbers of a pose are not read.
-  look : process (aclk)
-  begin
-    if rising_edge(aclk) then
-      if forgotten = '1' then
-        pose_unfit <= '0';
-      elsif (job_taken and job_posed) = '1' then
-        pose_unfit <= job_unfit and not job_words(job_bypass);
-      end if;
-    end if;
-  end process look;
-{%- endif %}
 
   -- ===== Volumes =====
   traverse : entity work.{{ prefix }}engine_traverse
@@ -489,105 +421,45 @@ begin
     );
   triangles_asked <= triangle_request and triangle_accepted;
 
-  -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the {{ e.unit.pair_tag_bits }} bits of their tag the
-  -- unit's tag says which is the last of its packet{% if e.unit.signs.len() > 0 %}, and which has a number that does not fit{% endif %}.
-  -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign{% if e.unit.signs.len() > 0 %}, which is looked at for
-  -- pairs of packets{% endif %}.
-  unit_v <= triangle_a(triangle_corners) when running = '1' else job_words(job_pair_v);
-  unit_w <= triangle_b(triangle_corners) when running = '1' else job_words(job_pair_w);
-{%- if e.unit.sticky %}
-  sticky_v <= triangle_a(triangle_sticky) when running = '1' else job_words(job_pair_sticky_v);
-  sticky_w <= triangle_b(triangle_sticky) when running = '1' else job_words(job_pair_sticky_w);
-{%- endif %}
-  unit_tag <= triangles_lane & numbers when running = '1' else
-    "{{ e.unit.unit_tag_zeros }}" & {% if e.unit.signs.len() > 0 %}(packet_unfit or pose_unfit) & {% endif %}packet_last & job_words(job_pair_tag);
-  packet_taken <= packet_valid and unit_ready;
-
-  -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
-  -- The numbers of triangles are in the low bits of the first word, {{ e.unit.triangle_number_bits }} of them.
-  numbers <= {{ e.unit.number_above }}triangle_b(triangle_number) & {{ e.unit.number_above }}triangle_a(triangle_number);
-  bypass_free <= not bypassed_valid;
-  tests_them <= triangles_there and testable and not leaves_only and not drops;
-  passes_them <= triangles_there and testable and leaves_only and not drops;
-  unit_valid <= tests_them or packet_valid;
-  triangles_go <= triangles_there and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
-{%- if e.unit.paced %}
-  -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs a pair nothing, because
-  -- the unit does not take the next one at once.
-  triangles_there <= triangles_valid and not triangles_taken;
-
-  send : process (aclk)
-  begin
-    if rising_edge(aclk) then
-      triangles_taken <= triangles_go and not restart;
-    end if;
-  end process send;
-{%- else %}
-  triangles_there <= triangles_valid;
-  triangles_taken <= triangles_go;
-{%- endif %}
-
-  bypass : process (aclk)
-  begin
-    if rising_edge(aclk) then
-      if bypass_free = '1' then
-        bypassed_numbers <= numbers;
-      end if;
-      if restart = '1' then
-        bypassed_valid <= '0';
-      elsif bypass_free = '1' then
-        bypassed_valid <= passes_them;
-      elsif decided_taken = '1' then
-        bypassed_valid <= '0';
-      end if;
-    end if;
-  end process bypass;
-
-  unit : entity work.{{ prefix }}efsat
+  triangles : entity work.{{ prefix }}engine_triangles
     port map (
       clk => aclk,
       reset => restart,
-      in_valid => unit_valid,
-      in_ready => unit_ready,
-      in_tag => unit_tag,
-{%- for field in e.unit.unit_inputs %}
-      {{ field.port }} => {{ field.value }},
-{%- endfor %}
+      running => running,
+      oldest => oldest,
+      front => front,
+      leaves_only => leaves_only,
+      triangles_valid => triangles_valid,
+      triangles_there => triangles_there,
+      triangles_taken => triangles_taken,
+      triangles_lane => triangles_lane,
+      triangle_a => triangle_a,
+      triangle_b => triangle_b,
+      testable => testable,
+      drops => drops,
+      packet_valid => packet_valid,
+      packet_taken => packet_taken,
+      packet_last => packet_last,
+{%- if e.unit.signs.len() > 0 %}
+      packet_unfit => packet_unfit,
+{%- endif %}
+      job_words => job_words,
+{%- if e.unit.signs.len() > 0 %}
+      forgotten => forgotten,
+      job_taken => job_taken,
+      job_posed => job_posed,
+      job_unfit => job_unfit,
+{%- endif %}
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      pose_bypass => pose_words(job_bypass),
-      out_valid => tested_valid,
-      out_ready => tested_taken,
-      out_verdict => tested_verdict,
-      out_separated => tested_separated,
-      out_overlapping => tested_overlapping,
-{%- if e.unit.guarded %}
-      out_outside => tested_outside,
-{%- endif %}
-      out_tag => tested_tag
+      pose => pose,
+      decided_valid => decided_valid,
+      decided_ready => decided_ready,
+      verdict => verdict,
+      decided_numbers => decided_numbers,
+      decided_last => decided_last{% if e.unit.guarded %},
+      decided_outside => decided_outside{% endif %}
     );
-  tested_numbers <= tested_tag(55 downto 0);
-  decided_lane <= front when leaves_only = '1' else tested_tag(lane_bits + 55 downto 56);
-  answerable <= '1' when decided_lane = oldest or running = '0' else '0';
-  decided_taken <= decided_ready and answerable;
-  tested_taken <= decided_taken and not leaves_only;
-  decided_valid <= bypassed_valid and answerable when leaves_only = '1' else tested_valid and answerable;
-{%- if e.unit.signs.len() > 0 %}
-  tested_unfit <= tested_numbers(tag_unfit) and not running;
-  verdict <= "10" when leaves_only = '1' or tested_unfit = '1' else tested_verdict;
-  tested_flags <= (others => '0') when tested_unfit = '1' else "{{ e.unit.flag_zeros }}" & tested_overlapping & tested_separated;
-  decided_outside <= (tested_outside or tested_unfit) and not running;
-{%- else %}
-  verdict <= "10" when leaves_only = '1' else tested_verdict;
-  tested_flags <= "{{ e.unit.flag_zeros }}" & tested_overlapping & tested_separated;
-{%- if e.unit.guarded %}
-  decided_outside <= tested_outside and not running;
-{%- endif %}
-{%- endif %}
-  decided_numbers <= bypassed_numbers when leaves_only = '1' else
-    tested_numbers when running = '1' else
-    tested_flags & tested_numbers({{ e.unit.pair_tag }});
-  decided_last <= tested_numbers(tag_last) and not running;
 
   -- ===== Answers =====
   answer : entity work.{{ prefix }}engine_answer
@@ -648,103 +520,65 @@ begin
   stalled <= pair_valid and not pair_ready;
 
   -- ===== Memory =====
-{%- if e.block_ram %}
-  -- A line or base in the memory has no bits above these: commands write, and control runs queries, within it alone.
-  block_memory : entity work.{{ prefix }}engine_block_memory
+  lines : entity work.{{ prefix }}engine_lines
     port map (
       clk => aclk,
-      reset => restart,
-      write_valid => block_write,
-      write_line => write_line(block_line_bits - 1 downto 0),
-      write_place => write_place,
-      write_data => write_data,
-      base_a => block_base_a(block_line_bits - 1 downto 0),
-      base_b => block_base_b(block_line_bits - 1 downto 0),
-      request_valid => block_request,
-      request_ready => block_accepted,
-      request_a => request_a,
-      request_b => request_b,
-      lines_valid => blocks_valid,
-      lines_taken => blocks_taken,
-      line_a => block_a,
-      line_b => block_b
-    );
-
-  triangle_memory : entity work.{{ prefix }}engine_triangle_memory
-    port map (
-      clk => aclk,
-      reset => restart,
-      write_valid => triangle_write,
-      write_line => write_line(triangle_line_bits - 1 downto 0),
-      write_place => write_place,
-      write_data => write_data,
-      base_a => triangle_base_a(triangle_line_bits - 1 downto 0),
-      base_b => triangle_base_b(triangle_line_bits - 1 downto 0),
-      request_valid => triangle_request,
-      request_ready => triangle_accepted,
-      request_a => leaf_a,
-      request_b => leaf_b,
-      lines_valid => triangles_valid,
-      lines_taken => triangles_taken,
-      line_a => triangle_a,
-      line_b => triangle_b
-    );
-  block_reads <= "00";
-  triangle_reads <= "00";
-  words_read <= '0';
-{%- else %}
-  -- Bases are addresses / 64: control runs no query about a tree that ends beyond 2^32, so bits 31..26 are zero where a line is read.
-{%- for cache in e.memory.caches %}
-  {{ cache.label }} : entity work.{{ prefix }}{{ cache.entity }}
-    port map (
-      clk => aclk,
-      reset => restart,
-      flush => flush,
-      flushing => busy_caches({{ loop.index0 }}),
-      base => {{ cache.base }}(25 downto 0),
-      request_valid => {{ cache.request }},
-      request_ready => line_ready({{ loop.index0 }}),
-      request => {{ cache.number }},
-      line_valid => line_valid({{ loop.index0 }}),
-      line_taken => {{ cache.taken }},
-      data => {{ cache.line }},
-      ask_valid => ask_valid({{ loop.index0 }}),
-      ask_ready => ask_ready({{ loop.index0 }}),
-      ask_address => ask_address_{{ loop.index0 }},
-      fill_valid => fill_valid({{ loop.index0 }}),
-      fill_data => fill_data,
-      missed => missed({{ loop.index0 }})
-    );
-{% endfor %}
-  -- Both sides take a request, or none; so do both give their lines.
-  block_accepted <= line_ready(0) and line_ready(1);
-  both_blocks_ask <= block_request and block_accepted;
-  triangle_accepted <= line_ready(2) and line_ready(3);
-  both_triangles_ask <= triangle_request and triangle_accepted;
-  blocks_valid <= line_valid(0) and line_valid(1);
-  triangles_valid <= line_valid(2) and line_valid(3);
-  flushing <= '0' when busy_caches = "0000" else '1';
-  -- Caches 0 and 1 hold blocks, 2 and 3 triangles.
-  block_reads <= missed(1 downto 0);
-  triangle_reads <= missed(3 downto 2);
-
-  read_master : entity work.{{ prefix }}engine_read_master
-    port map (
-      clk => aclk,
-      reset => reset,
       restart => restart,
-      ask_valid => ask_valid,
-      ask_ready => ask_ready,
-      ask_address_0 => ask_address_0,
-      ask_address_1 => ask_address_1,
-      ask_address_2 => ask_address_2,
-      ask_address_3 => ask_address_3,
-      fill_valid => fill_valid,
-      fill_data => fill_data,
+{%- if e.block_ram %}
+      write_line => write_line,
+      write_place => write_place,
+      write_data => write_data,
+      block_write => block_write,
+      triangle_write => triangle_write,
+{%- else %}
+{%- if e.memory.id.is_some() %}
+      m_axi_arid => m_axi_arid,
+{%- endif %}
+      m_axi_araddr => m_axi_araddr,
+      m_axi_arlen => m_axi_arlen,
+      m_axi_arsize => m_axi_arsize,
+      m_axi_arburst => m_axi_arburst,
+      m_axi_arcache => m_axi_arcache,
+      m_axi_arprot => m_axi_arprot,
+      m_axi_arvalid => m_axi_arvalid,
+      m_axi_arready => m_axi_arready,
+{%- if e.memory.id.is_some() %}
+      m_axi_rid => m_axi_rid,
+{%- endif %}
+      m_axi_rdata => m_axi_rdata,
+      m_axi_rresp => m_axi_rresp,
+      m_axi_rlast => m_axi_rlast,
+      m_axi_rvalid => m_axi_rvalid,
+      m_axi_rready => m_axi_rready,
+      reset => reset,
+      flush => flush,
+      flushing => flushing,
       failed => memory_error,
       draining => memory_draining,
       silent => memory_silent,
-      word_read => words_read,
-{% include "engine/read_port.vhd" %}
 {%- endif %}
+      block_base_a => block_base_a,
+      block_base_b => block_base_b,
+      block_request => block_request,
+      block_accepted => block_accepted,
+      request_a => request_a,
+      request_b => request_b,
+      blocks_valid => blocks_valid,
+      blocks_taken => blocks_taken,
+      block_a => block_a,
+      block_b => block_b,
+      triangle_base_a => triangle_base_a,
+      triangle_base_b => triangle_base_b,
+      triangle_request => triangle_request,
+      triangle_accepted => triangle_accepted,
+      leaf_a => leaf_a,
+      leaf_b => leaf_b,
+      triangles_valid => triangles_valid,
+      triangles_taken => triangles_taken,
+      triangle_a => triangle_a,
+      triangle_b => triangle_b,
+      block_reads => block_reads,
+      triangle_reads => triangle_reads,
+      words_read => words_read
+    );
 end architecture rtl;

@@ -126,18 +126,15 @@ architecture rtl of {{ prefix }}engine_control is
   signal stops : flags;  -- the lane whose query is stopped
   signal started_pulse : std_logic := '0';
   signal started_lane : lane_number := (others => '0');
-  type places is array (0 to 3) of unsigned(31 downto 0);  -- blocks of A and B, triangles of A and B
-  signal bases : places := (others => (others => '0'));
-  signal counts : places := (others => (others => '0'));
-  signal options : std_logic_vector(63 downto 0) := (others => '0');
+  signal load_check : std_logic;
 {%- if e.axi %}
   signal known : std_logic := '0';  -- the caches are those of the bases
   constant no_place : std_logic_vector(4 downto 0) := (others => '0');
-  signal moved : std_logic_vector(4 downto 0) := (others => '0');  -- which places are not those of the caches; 4: or the query asks for it
+  signal moved : std_logic_vector(4 downto 0);  -- which places are not those of the caches; 4: or the query asks for it
   signal flush_now : std_logic := '0';
 {%- endif %}
-  signal outside : std_logic_vector(3 downto 0) := "0000";  -- the memory ends before the range
-  signal empty : std_logic := '0';  -- a tree without a root
+  signal outside : std_logic_vector(3 downto 0);  -- the memory ends before the range
+  signal empty : std_logic;  -- a tree without a root
 
   -- The end of the oldest query.
   signal reporting : std_logic := '0';
@@ -161,7 +158,6 @@ begin
   dropping <= drops(to_integer(oldest_lane));
   start <= started_pulse;
   start_lane <= std_logic_vector(started_lane);
-  most_expansions <= options(option_expansions);
   retire <= reporting and report_done;
   report_due <= reporting;
   short <= shorts(to_integer(oldest_lane));
@@ -218,53 +214,21 @@ begin
     end if;
   end process compare;
 
-  -- ===== Checks =====
-  check : process (clk)
-  begin
-    if rising_edge(clk) then
-      if phase = check_state and checks = "01" then
-        bases(0) <= unsigned(checked(job_blocks_a));
-        bases(1) <= unsigned(checked(job_blocks_b));
-        bases(2) <= unsigned(checked(job_triangles_a)){% if e.block_ram %} xor x"02000000"{% endif %};
-        bases(3) <= unsigned(checked(job_triangles_b)){% if e.block_ram %} xor x"02000000"{% endif %};
-        counts(0) <= unsigned(checked(job_block_count_a));
-        counts(1) <= unsigned(checked(job_block_count_b));
-        counts(2) <= unsigned(checked(job_triangle_count_a));
-        counts(3) <= unsigned(checked(job_triangle_count_b));
-        options <= checked(job_options);
+  load_check <= '1' when phase = check_state and checks = "01" else '0';
+
+  check : entity work.{{ prefix }}engine_check
+    port map (
+      clk => clk,
+      load => load_check,
+      checked => checked,
 {%- if e.axi %}
-        moved <= (others => '0');
-        if bases(0) /= unsigned(checked(job_blocks_a)) then
-          moved(0) <= '1';
-        end if;
-        if bases(1) /= unsigned(checked(job_blocks_b)) then
-          moved(1) <= '1';
-        end if;
-        if bases(2) /= unsigned(checked(job_triangles_a)) then
-          moved(2) <= '1';
-        end if;
-        if bases(3) /= unsigned(checked(job_triangles_b)) then
-          moved(3) <= '1';
-        end if;
-        moved(4) <= not known or not checked(job_keep);
+      known => known,
+      moved => moved,
 {%- endif %}
-      end if;
-      for i in 0 to 1 loop
-        outside(i) <= '0';
-        if resize(bases(i), 33) + resize(counts(i), 33) > {{ e.memory.block_lines }} then
-          outside(i) <= '1';
-        end if;
-        outside(i + 2) <= '0';
-        if resize(bases(i + 2), 33) + resize(counts(i + 2), 33) > {{ e.memory.triangle_lines }} then
-          outside(i + 2) <= '1';
-        end if;
-      end loop;
-      empty <= '0';
-      if counts(0) = 0 or counts(1) = 0 then
-        empty <= '1';
-      end if;
-    end if;
-  end process check;
+      most_expansions => most_expansions,
+      outside => outside,
+      empty => empty
+    );
 
   -- ===== From job to report =====
   proceed : process (clk)

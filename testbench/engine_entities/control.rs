@@ -517,5 +517,5 @@ fn jobs_are_checked_and_run_and_reported() {
     ];
     let design =
         EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());
-    tried(&design.unwrap(), "engine_control", &changes, control);
+    tried_with(&design.unwrap(), "engine_control", &["engine_check"], &changes, control);
 }

@@ -34,10 +34,10 @@ fn a_query_after_a_soft_reset_is_right() {
         bench.passes(vectors.text(), &options.each_ref().map(String::as_str));
     }
     let changes = [
-        // It forgets bursts; it does not say so; what works on the query goes on.
+        // It forgets bursts; it does not say so; the caches alone hear of it.
         ("engine_read_master.vhd", "draining_now <= '1';", "draining_now <= '0';"),
         ("engine_control.vhd", "now_reasons(lane) := reason_reset;", "now_occupied(lane) := '0';"),
-        ("efsat_engine.vhd", "restart <= forgotten or abort;", "restart <= reset or abort;"),
+        ("engine_lines.vhd", "restart => restart,\n      ask_valid", "restart => reset,\n      ask_valid"),
     ];
     let options = options([160, 200]);
     bench.notices(in_full(changes), &[vectors.text()], &options.each_ref().map(String::as_str));

@@ -183,6 +183,11 @@ impl Sheet<'_> {
         }
     }
 
+    /// Bits of a memory: those that are read, where its cells have one bit, or all.
+    fn read(&self, used: u32, stored: u32) -> u32 {
+        if self.fabric.memory_cell.1 == 1 { used } else { stored }
+    }
+
     /// Bits that are chosen among lanes.
     fn chosen(&self, bits: u32) -> u32 {
         let lanes = self.design.params.queries;
@@ -198,16 +203,23 @@ impl Sheet<'_> {
 /// The entities. A number without a name is of flags, states and counters of fixed width.
 impl Sheet<'_> {
     fn engine(&self) -> Entity {
-        let (params, values, unit) = (&self.design.params, &self.values, &self.values.unit);
+        let luts = 40 + self.design.params.lane_bits() * self.of([15, 24, 16]);
+        let control = Entity { parts: vec![self.check()], ..self.control() };
+        let around = [self.answer(), self.command(), control, self.pairs(), self.queries(), self.triangles()];
+        let memories = self.values.memory.memories.iter().map(|lines| self.memories(lines));
+        let lines = memories.chain(self.values.axi.then(|| self.read_master())).collect();
+        let lines = Entity { parts: lines, ..self.entity("engine_lines", 0, &[], &[], 7 * u32::from(self.values.axi)) };
+        let parts = around.into_iter().chain([self.traverse(), lines]).collect();
+        Entity { parts, ..self.entity(NAME, 0, &[], &[], luts) }
+    }
+
+    /// Corners come from memory or from a packet; numbers go past the unit.
+    fn triangles(&self) -> Entity {
+        let unit = &self.values.unit;
         let corners = 18 * (self.design.unit.params.transform_width + u32::from(unit.sticky));
         let flags = 1 + u32::from(unit.paced) + u32::from(!unit.signs.is_empty());
-        let luts = corners + self.of([188, 184, 162]) + params.lane_bits() * self.of([15, 24, 16]);
-        let stacks = self.stack().times(params.queries);
-        let mut parts = vec![self.answer(), self.command(), self.control(), self.pairs(), self.queries()];
-        parts.push(Entity { parts: vec![self.children().times(2), stacks], ..self.traverse() });
-        parts.extend(values.memory.memories.iter().map(|lines| self.lines(lines)));
-        parts.extend(values.axi.then(|| self.read_master()));
-        Entity { parts, ..self.entity(NAME, flags + 2 * unit.triangle_number_bits, &[], &[], luts) }
+        let luts = corners + self.of([208, 162, 184]);
+        self.entity("engine_triangles", flags + 2 * unit.triangle_number_bits, &[], &[], luts)
     }
 
     /// Words of pairs and of the report, ten counters, two sums, and for each lane five counters.
@@ -232,16 +244,21 @@ impl Sheet<'_> {
         self.entity("engine_command", flip_flops, &[], &[(1, 6), (loads, line + 1), (loads, 8)], luts)
     }
 
-    /// Bases, counts and a limit of the query that is checked; for each lane a number, a reason and flags.
+    /// For each lane a number, a reason and flags.
     fn control(&self) -> Entity {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
-        let flip_flops = 9 * 32 + lanes * (24 + 5 + 12) + 4 * lane_bits + 18 + 11 * axi;
-        let luts = self.of([204, 250, 104]) + lanes * self.of([165, 130, 122]) + self.chosen(24 + 5);
-        // What caches have is compared with what a query is about.
-        let luts = luts + axi * self.of([176, 223, 245]);
+        let flip_flops = lanes * (24 + 5 + 12) + 4 * lane_bits + 13 + 6 * axi;
+        let luts = self.of([0, 370, 0]) + lanes * self.of([165, 130, 122]) + self.chosen(24 + 5);
+        self.entity("engine_control", flip_flops, &[], &[], luts)
+    }
+
+    /// Bases, counts and a limit; what caches have is compared with what a query is about.
+    fn check(&self) -> Entity {
+        let axi = u32::from(self.values.axi);
+        let luts = self.of([135, 20, 24]) + axi * self.of([176, 116, 245]);
         let ends = if self.fabric.chains == Chains::Complete { (4, 32) } else { (1, 32) };
-        self.entity("engine_control", flip_flops, &[], &[(4, 33), ends], luts)
+        self.entity("engine_check", 9 * 32 + 5 + 5 * axi, &[], &[(4, 33), ends], luts)
     }
 
     /// The words of queries for each of their readers; entries of the matrix are cut off and saturated.
@@ -258,41 +275,62 @@ impl Sheet<'_> {
         self.entity("engine_queries", 3 * lanes, &[in_place.as_slice(), &apart, &registered].concat(), &[], luts)
     }
 
-    /// For each lane room of both kinds, pairs in flight and expansions that are left; places in flight, and both queues of
-    /// survivors.
+    /// Registers of the lanes that end, and what is in the traversals.
     fn traverse(&self) -> Entity {
+        let lanes = self.design.params.queries;
+        let lane = Entity { parts: vec![self.stack()], ..self.lane() };
+        let issue = Entity { parts: vec![lane.times(lanes)], ..self.issue() };
+        let flight = Entity { parts: vec![self.children().times(2)], ..self.flight() };
+        Entity { parts: vec![issue, flight, self.survivors()], ..self.entity("engine_traverse", lanes, &[], &[], 0) }
+    }
+
+    /// Room of both kinds, pairs in flight and expansions that are left.
+    fn lane(&self) -> Entity {
+        let t = &self.values.traversal;
+        let flip_flops = t.room_bits + t.pair_room_bits + t.flight_bits + 55;
+        let sums = self.of([3, 2, 3]);
+        let chains = [(1, 32), (sums, t.room_bits), (sums, t.pair_room_bits), (2, t.flight_bits + 2)];
+        let luts = (13 * t.room_bits + 14 * t.pair_room_bits) / 3 + 4 * (t.flight_bits + 2) + t.entry_bits;
+        self.entity("engine_lane", flip_flops, &[], &chains, luts + 80)
+    }
+
+    /// The lane that was chosen, the pair whose blocks are asked for, and what flies.
+    fn issue(&self) -> Entity {
+        let (params, t) = (&self.design.params, &self.values.traversal);
+        let (lanes, lane, flight) = (params.queries, params.lane_bits(), t.flight_bits);
+        let flip_flops = lanes + 2 * params.block_number_bits + 3 * lane + 11 + 2 * flight + 16;
+        let chains = [(1, 32), (4, flight + 2)];
+        // The top of each stack is chosen among more lanes than a table has inputs for.
+        let luts = self.of([148, 171, 120]) + self.chosen(t.entry_bits + 16) + u32::from(lanes > 4) * 268;
+        self.entity("engine_issue", flip_flops, &[], &chains, luts)
+    }
+
+    /// Places in flight, and the children of the blocks.
+    fn flight(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, lane) = (params.queries, params.lane_bits());
-        let (node, entry, flight) = (params.block_number_bits, t.entry_bits, t.flight_bits);
-        let (child, level) = (node + 1, entry - 2 * node - 4);
         // Of memories with cells of one bit those that nobody reads are left out: which children an entry has, the fault of a child,
         // and bits that the number of a block has not.
-        let single = self.fabric.memory_cell.1 == 1;
-        let read = |used: u32, stored: u32| if single { used } else { stored };
-        let (met, family) = (read(entry - 4, entry), read(4 * 29, 4 * 30));
+        let met = self.read(t.entry_bits - 4, t.entry_bits);
+        let flip_flops = 4 * t.flight_bits + 4 * lane + 25 + met + self.read(4 * 29, 4 * 30) + lanes;
+        let memories = [t.entry_bits, met, lane, lane, self.read(128, 132)].map(|bits| (Apart, t.flight_places, bits));
+        self.entity("engine_flight", flip_flops, &memories, &[(4, t.flight_bits)], 60)
+    }
+
+    /// Both queues of survivors, and those that are pushed and sent.
+    fn survivors(&self) -> Entity {
+        let (params, t) = (&self.design.params, &self.values.traversal);
+        let (lane, node, entry, flight) = (params.lane_bits(), params.block_number_bits, t.entry_bits, t.flight_bits);
+        let (child, level) = (node + 1, entry - 2 * node - 4);
         // Whole cells that nobody reads are left out, too.
         let (cell, unread) = (self.fabric.memory_cell.1, 31 - child);
         let whole = (unread + 1).saturating_sub(cell) / cell * cell;
-        let record = read(entry + 4 * child, entry + 124 - 4 * whole);
-        let of_lanes = lanes * (t.room_bits + t.pair_room_bits + flight + 58);
-        let issue = 2 * node + 3 * lane + 12 + 6 * flight + t.stack_bits + 1;
-        let blocks = 3 * lane + 18 + met + family + lane + 7;
+        let record = self.read(entry + 4 * child, entry + 124 - 4 * whole);
         let queues = 2 * (3 * flight + 1) + lane + 116;
         let pushed = 3 * lane + 17 + (entry - 4) + 4 * child + 2 * child + 2 * node + level;
-        let memory = |bits: u32| (Apart, t.flight_places, bits);
-        let memories = [entry, met, lane, lane, read(128, 132), record, lane, 116, lane].map(memory);
-        let sums = self.of([3, 2, 3]) * lanes;
-        let chains = [
-            (lanes + 1, 32),
-            (sums, t.room_bits),
-            (sums, t.pair_room_bits),
-            (2 * lanes, flight + 2),
-            (8, flight),
-            (4, flight + 1),
-        ];
-        let room = (13 * t.room_bits + 14 * t.pair_room_bits) / 3 + 4 * (flight + 2);
-        let luts = self.of([359, 278, 343]) + 8 * node + entry + lanes * (96 + room + entry) + self.chosen(entry + 16);
-        self.entity("engine_traverse", of_lanes + issue + blocks + queues + pushed, &memories, &chains, luts)
+        let memories = [record, lane, 116, lane].map(|bits| (Apart, t.flight_places, bits));
+        let luts = self.of([314, 369, 305]) + 8 * node;
+        self.entity("engine_survivors", queues + pushed, &memories, &[(4, flight), (4, flight + 1)], luts)
     }
 
     /// Links and the number of a block; its codes and its tag, which are compared in parts.
@@ -335,7 +373,7 @@ impl Sheet<'_> {
     }
 
     /// A memory of lines, or a cache for each of the two trees.
-    fn lines(&self, lines: &Lines) -> Entity {
+    fn memories(&self, lines: &Lines) -> Entity {
         let (place, words) = (lines.line_address_bits, lines.words_per_line);
         // The last word ends with the line.
         let last = lines.line_bits - (words - 1) * lines.word_bits;
@@ -408,7 +446,7 @@ impl Sheet<'_> {
         let chains = [(3, 32), (2, mark), (2, 4), (1, 3)];
         let memory = (Apart, 8, values.numbers.report_high + 1);
         let answer = self.entity("engine_number_answer", 198 + 2 * mark, &[memory], &chains, self.of([266, 635, 195]));
-        let mut parts = vec![answer, command, self.lines(&values.memory.memories[1])];
+        let mut parts = vec![answer, command, self.memories(&values.memory.memories[1])];
         parts.extend(values.axi.then(|| self.read_master()));
         Entity { parts, ..self.entity(NAME, u32::from(values.unit.paced), &[], &[], 33) }
     }

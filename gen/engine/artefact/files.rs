@@ -85,18 +85,25 @@ enum Packets {
 }
 
 /// What the entities of the engine are for, in the order of the data.
-const ENTITIES: [(&str, &str); 10] = [
+const ENTITIES: [(&str, &str); 17] = [
     (
         "engine_command",
         "Packets in: pairs, poses, queries, loads, stops and soft resets; what is none of them is reported.",
     ),
     ("engine_control", "The queries in flight, from job to report, and why they end."),
+    ("engine_check", "Whether the trees of a query are where memory is."),
     ("engine_queries", "The words of the queries in flight."),
-    ("engine_traverse", "The traversals of the trees: issue, pairs in flight, survivors."),
+    ("engine_traverse", "The traversals of the trees."),
+    ("engine_issue", "Which pair of nodes is opened next."),
+    ("engine_lane", "The lane of a query: when a pair of it may be opened."),
     ("engine_stack", "The stack of pairs of a query that are still to be opened."),
+    ("engine_flight", "Pairs of nodes in flight: children of their blocks, answers of the volume unit."),
+    ("engine_survivors", "Pairs of children that are pushed, and pairs of leaves."),
     ("engine_children", "The links of a block, and whether block and links are good."),
     ("volume_unit", "The test of two volumes by directions."),
     ("engine_pairs", "Pairs of leaves between the traversal and their answers."),
+    ("engine_lines", "Where blocks and triangles come from."),
+    ("engine_triangles", "The way to the triangle unit, and past it."),
     ("efsat", "The triangle unit."),
     ("engine_answer", "Answers out, counters and the report."),
 ];

@@ -227,6 +227,8 @@ macro_rules! entities {
         struct $name<'a> {
             header: &'a [String],
             prefix: &'a Prefix,
+            // Of no use to an entity that only joins others.
+            #[allow(dead_code)]
             e: &'a Values,
         }
 
@@ -242,13 +244,20 @@ entities! {
     Layout "engine/engine_layout.vhd";
     Stack "engine/engine_stack.vhd";
     Children "engine/engine_children.vhd";
+    Lane "engine/engine_lane.vhd";
+    Issue "engine/engine_issue.vhd";
+    Flight "engine/engine_flight.vhd";
+    Survivors "engine/engine_survivors.vhd";
     Traverse "engine/engine_traverse.vhd";
     Queries "engine/engine_queries.vhd";
     Pairs "engine/engine_pairs.vhd";
     Answer "engine/engine_answer.vhd";
     Command "engine/engine_command.vhd";
+    Triangles "engine/engine_triangles.vhd";
+    Check "engine/engine_check.vhd";
     Control "engine/engine_control.vhd";
     ReadMaster "engine/engine_read_master.vhd";
+    LinesOf "engine/engine_lines.vhd";
     Engine "engine/efsat_engine.vhd";
     NumberCommand "engine/engine_number_command.vhd";
     NumberAnswer "engine/engine_number_answer.vhd";
@@ -318,11 +327,18 @@ pub fn engine_files(
     add("engine_queries", Queries::text(&header, prefix, &values));
     add("engine_stack", Stack::text(&header, prefix, &values));
     add("engine_children", Children::text(&header, prefix, &values));
+    add("engine_lane", Lane::text(&header, prefix, &values));
+    add("engine_issue", Issue::text(&header, prefix, &values));
+    add("engine_flight", Flight::text(&header, prefix, &values));
+    add("engine_survivors", Survivors::text(&header, prefix, &values));
     add("engine_traverse", Traverse::text(&header, prefix, &values));
     add("engine_pairs", Pairs::text(&header, prefix, &values));
     add("engine_answer", Answer::text(&header, prefix, &values));
     add("engine_command", Command::text(&header, prefix, &values));
+    add("engine_triangles", Triangles::text(&header, prefix, &values));
+    add("engine_check", Check::text(&header, prefix, &values));
     add("engine_control", Control::text(&header, prefix, &values));
+    add("engine_lines", LinesOf::text(&header, prefix, &values));
     let mut around = top.clone();
     top.extend(description(design));
     add(NAME, Engine::text(&top, prefix, &values));

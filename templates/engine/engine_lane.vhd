@@ -1,0 +1,237 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- The lane of a query: its stack, and what of the rule of issue is about it alone.
+--
+-- Rule of issue. Let used be the entries of a stack and flying the pairs of its lane in flight; a pair pushes at most four.
+-- It is popped if used - 1 + 4 (flying + 1) <= {{ e.traversal.wide }}, or if nothing of its lane flies; and only if less than {{ e.traversal.in_flight }} pairs of all lanes
+-- fly. While only pops of the first kind happen, used <= {{ e.traversal.wide }}. With nothing of its lane in flight an entry of level l leaves
+-- at most 3 ({{ e.traversal.levels }} - l) + 1 entries above what lay below it, and entries of level {{ e.traversal.levels }} push nothing:
+-- used <= {{ e.traversal.wide }} + 3 x {{ e.traversal.levels }} + 1 = {{ e.traversal.stack }} at all times.
+--
+-- The oldest query comes first. A younger one pops only what the queue of its leaf pairs has room for, even if each of its
+-- pairs in flight sends four: so none waits for that queue in front of the oldest query's. And it pops only while few pairs
+-- wait for their blocks, so that those of the oldest do not wait behind many.
+--
+-- What frees room is counted a clock late. Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted,
+-- while a record has sent three of its four: so a pair is popped only if there are 3 places more than the rule asks for. Right
+-- behind a pop of its own the lane pops only if there is plenty.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.{{ prefix }}engine_layout.all;
+
+entity {{ prefix }}engine_lane is
+  port (
+    clk : in std_logic;
+    reset : in std_logic;
+    start : in std_logic;  -- one clock long: a query begins with the roots
+    more_expansions : in unsigned(31 downto 0);  -- of it, behind the first
+    only_one : in std_logic;  -- there are none
+    oldest : in std_logic;  -- it is the oldest query
+    ending : in std_logic;  -- no pair is popped any more
+    ended : in std_logic;  -- the same, a clock later
+    -- Issue.
+    all_fly : in std_logic;
+    crowded : in std_logic;  -- a younger query waits
+    may_pop : out std_logic;
+    chosen : in std_logic;  -- the next pair that is popped is of this lane
+    pop : in std_logic;
+    top_entry : out std_logic_vector(entry_bits - 1 downto 0);
+    -- An answer of the volume unit, and the records of survivors that it brings.
+    met : in std_logic;
+    brings_nodes : in std_logic;
+    brings_leaves : in std_logic;
+    pushes : in std_logic;  -- a survivor is pushed in the next clock
+    next_entry : in std_logic_vector(entry_bits - 1 downto 0);  -- the one that was to be pushed
+    nodes_finished : in std_logic;  -- the last of its record
+    sends_pair : in std_logic;  -- a pair of leaves goes into its queue
+    leaves_finished : in std_logic;  -- the last of its record
+    pair_left : in std_logic;  -- a pair leaves the queue
+    -- State.
+    idle : out std_logic := '1';  -- a clock ago nothing was in flight, and nothing was to be popped
+    limit_reached : out std_logic := '0';
+    greatest : out unsigned(15 downto 0)  -- entries of the stack
+  );
+end entity {{ prefix }}engine_lane;
+
+architecture rtl of {{ prefix }}engine_lane is
+  constant wide : integer := {{ e.traversal.wide }};  -- of the rule of issue
+  constant room_bits : natural := {{ e.traversal.room_bits }};
+  constant flight_bits : natural := {{ e.traversal.flight_bits }};
+  constant pairs : integer := {{ e.traversal.pairs }};  -- of the queue of leaf pairs
+  constant pair_room_bits : natural := {{ e.traversal.pair_room_bits }};
+
+  signal is_root : std_logic := '0';  -- the roots are pushed, and nothing else
+  signal is_pushed : std_logic := '0';  -- a survivor is
+  signal push : std_logic;
+  signal push_entry : std_logic_vector(entry_bits - 1 downto 0);
+  signal lives : std_logic;
+  signal may_start : std_logic := '0';  -- a clock ago it was not chosen, and could be popped
+  signal may_follow : std_logic := '0';  -- a clock ago there was plenty, also for a pop then and the one that is due
+  signal is_oldest : std_logic := '0';
+  signal filled : std_logic;
+  signal many : std_logic;  -- three entries or more
+  signal room : unsigned(room_bits - 1 downto 0) := (others => '0');  -- wide - 6 - used - 4 flying in two's complement: not negative while a pair may be popped although others of the lane fly
+  signal plenty : std_logic := '0';  -- it was at least 16 a clock ago
+  signal pair_room : unsigned(pair_room_bits - 1 downto 0) := (others => '0');  -- the same of the queue of leaf pairs: pairs - 7 - those in it - 4 flying
+  signal pair_plenty : std_logic := '0';  -- it was at least 32 a clock ago
+  signal flying : unsigned(flight_bits + 1 downto 0) := (others => '0');
+  signal nothing_flies : std_logic := '1';
+  signal allowed : unsigned(31 downto 0) := (others => '0');  -- expansions
+  signal last_one : std_logic := '0';  -- the next expansion is the last
+  signal few_left : std_logic := '0';  -- a clock ago there were less than eight
+  signal spent : std_logic := '0';  -- no expansion more
+  -- What a clock has changed, counted in the next one.
+  signal pushed : std_logic := '0';
+  signal pushed_all : std_logic := '0';  -- a record that is pushed is finished
+  signal pair_gone : std_logic := '0';  -- a pair has left the queue
+  signal pair_sent : std_logic := '0';  -- a pair has gone into it
+  signal sent_all : std_logic := '0';  -- a record of leaves is finished
+  signal no_nodes : std_logic := '0';  -- an answer without a record that is pushed
+  signal no_leaves : std_logic := '0';  -- an answer without a record of leaves
+  signal both_records : std_logic := '0';  -- an answer with both
+begin
+  lives <= not ending and not ended and not spent;  -- what the last query has left on the stack goes with start
+  may_pop <= may_start when chosen = '0' else may_follow;
+  push <= is_pushed or is_root;
+  push_entry <= "{{ e.traversal.root_entry }}" when is_root = '1' else next_entry;
+
+  stack : entity work.{{ prefix }}engine_stack
+    port map (
+      clk => clk,
+      clear => start,
+      push => push,
+      push_entry => push_entry,
+      pop => pop,
+      top_entry => top_entry,
+      filled => filled,
+      many => many,
+      greatest => greatest
+    );
+
+  rest : process (clk)
+  begin
+    if rising_edge(clk) then
+      may_start <= lives and filled and not chosen and not all_fly
+        and (nothing_flies or not room(room_bits - 1)) and (is_oldest or not (pair_room(pair_room_bits - 1) or crowded));
+      may_follow <= lives and many and not few_left and plenty
+        and (is_oldest or (pair_plenty and not crowded));
+      is_root <= start and not reset;
+      is_pushed <= pushes and not ending and not reset;
+      limit_reached <= filled and spent and not ended and not ending;
+      is_oldest <= oldest;
+      idle <= nothing_flies and (ending or not (filled or ended)) and not is_root;
+    end if;
+  end process rest;
+
+  count : process (clk)
+    variable change : integer range -1 to 9;
+    variable pair_change : integer range -1 to 9;
+    variable records : integer range -3 to 1;  -- that are more than before; a pair in flight counts as one
+    variable steady : unsigned(flight_bits + 1 downto 0);  -- pairs in flight and records but for a pop
+  begin
+    if rising_edge(clk) then
+      if start = '1' then
+        allowed <= more_expansions;
+        last_one <= only_one;
+        spent <= '0';
+      elsif pop = '1' then
+        allowed <= allowed - 1;
+        last_one <= '0';
+        if allowed = 1 then
+          last_one <= '1';
+        end if;
+        spent <= last_one;
+      end if;
+      pushed <= push;
+      pushed_all <= nodes_finished;
+      pair_gone <= pair_left;
+      pair_sent <= sends_pair;
+      sent_all <= leaves_finished;
+      no_nodes <= met and not brings_nodes;
+      no_leaves <= met and not brings_leaves;
+      both_records <= met and brings_nodes and brings_leaves;
+      -- A push takes one place, a record that is finished frees four, and a pop, below, frees one and reserves four. In the
+      -- queue of leaf pairs a pop reserves four.
+      change := 0;
+      pair_change := 0;
+      records := 0;
+      if pushed = '1' then
+        change := change - 1;
+      end if;
+      if pushed_all = '1' then
+        change := change + 4;
+        records := records - 1;
+      end if;
+      if no_nodes = '1' then
+        change := change + 4;
+      end if;
+      if pair_gone = '1' then
+        pair_change := pair_change + 1;
+      end if;
+      if pair_sent = '1' then
+        pair_change := pair_change - 1;
+      end if;
+      if sent_all = '1' then
+        pair_change := pair_change + 4;
+        records := records - 1;
+      end if;
+      if no_leaves = '1' then
+        pair_change := pair_change + 4;
+      end if;
+      if both_records = '1' then
+        records := records + 1;
+      elsif (no_nodes and no_leaves) = '1' then
+        records := records - 1;
+      end if;
+      few_left <= '0';
+      if allowed(31 downto 3) = 0 then
+        few_left <= '1';
+      end if;
+      plenty <= '0';
+      if signed(room) >= 16 then
+        plenty <= '1';
+      end if;
+      pair_plenty <= '0';
+      if signed(pair_room) >= 32 then
+        pair_plenty <= '1';
+      end if;
+      steady := unsigned(signed(flying) + records);
+      if reset = '1' or start = '1' then
+        room <= unsigned(to_signed(wide - 6, room_bits));
+        pair_room <= to_unsigned(pairs - 7, pair_room_bits);
+        pushed <= '0';
+        pushed_all <= '0';
+        pair_gone <= '0';
+        pair_sent <= '0';
+        sent_all <= '0';
+        no_nodes <= '0';
+        no_leaves <= '0';
+        both_records <= '0';
+        flying <= (others => '0');
+        nothing_flies <= '1';
+      else
+        if pop = '1' then
+          room <= unsigned(signed(room) + (change - 3));
+          pair_room <= unsigned(signed(pair_room) + (pair_change - 4));
+        else
+          room <= unsigned(signed(room) + change);
+          pair_room <= unsigned(signed(pair_room) + pair_change);
+        end if;
+        if pop = '1' then
+          flying <= steady + 1;
+          nothing_flies <= '0';
+        else
+          flying <= steady;
+          nothing_flies <= '0';
+          if steady = 0 then
+            nothing_flies <= '1';
+          end if;
+        end if;
+      end if;
+    end if;
+  end process count;
+end architecture rtl;
