@@ -65,11 +65,10 @@ fn tried_with(
     );
     test(&mut Entity::new(ghdl, name, text, &parts)).unwrap_or_else(|error| panic!("{name}: {error}"));
     for (from, to) in changes {
-        let own = text.contains(from);
-        let (text, parts) = match own {
-            true => (&replaced(text, from, to), &parts),
-            false => (text, &replaced(&parts, from, to)),
-        };
+        // A place in both is as wrong as one that is twice in one of them.
+        assert!(!(text.contains(from) && parts.contains(from)), "{from}");
+        let (text, parts) =
+            if text.contains(from) { (&replaced(text, from, to), &parts) } else { (text, &replaced(&parts, from, to)) };
         let outcome = test(&mut Entity::new(ghdl, name, text, parts));
         assert!(outcome.is_err(), "{name}: not noticed: {from}");
     }

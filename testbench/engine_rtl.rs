@@ -41,8 +41,8 @@ pub(crate) fn axi() -> EngineParams {
     EngineParams { block_lines: 32, triangle_lines: 16, ..EngineParams::default() }
 }
 
-/// The files of a core in a folder of their own, those of a list analysed. Entities below a unit are the same in many cores; its
-/// own file says how the core was made.
+/// The files of a core in a folder of their own, those of a list analysed. Entities below a unit are the same in many cores; the
+/// unit itself is not: its header has the command line.
 pub(crate) fn analysed(ghdl: &'static Tool, files: &FileSet, list: &[&str]) -> Ghdl {
     let above = |name: &str| {
         ["engine", "efsat", "example"].iter().any(|start| name.starts_with(start)) && name != "efsat_types.vhd"
@@ -76,16 +76,21 @@ impl Bench {
 
     /// The same with a change of a file, from one text to another: it is analysed, and those that depend on it.
     fn with(&self, (name, from, to): (&str, &str, &str)) -> Self {
-        let other = Self { ghdl: self.ghdl.copy(), design: self.design.clone(), files: self.files.clone() };
-        other.ghdl.write(name, &replaced(self.files.get(name).unwrap(), from, to));
+        let mut files = self.files.clone();
+        files.insert(name, replaced(files.get(name).unwrap(), from, to));
+        let other = Self { ghdl: self.ghdl.copy(), design: self.design.clone(), files };
+        other.ghdl.write(name, other.files.get(name).unwrap());
         let mut changed: Vec<&str> = vec![];
-        for file in self.files.get("files.txt").unwrap().lines().skip_while(|file| *file != name) {
-            let uses =
-                |unit: &str| self.files.get(file).unwrap().contains(&format!("work.{}", unit.trim_end_matches(".vhd")));
-            if file == name || changed.iter().any(|unit| uses(unit)) {
+        for file in other.files.get("files.txt").unwrap().lines() {
+            let uses = |unit: &&str| {
+                let unit = unit.trim_end_matches(".vhd");
+                other.files.get(file).unwrap().contains(&format!("work.{unit}"))
+            };
+            if file == name || changed.iter().any(uses) {
                 changed.push(file);
             }
         }
+        assert!(!changed.is_empty(), "{name}: no file of the list");
         other.ghdl.analyse(&changed);
         other
     }

@@ -3,7 +3,7 @@
 use crate::engine_rtl::{analysed, axi, small};
 use crate::extent::share;
 use crate::tools::program::{refuses, succeeds};
-use crate::tools::{CHECKED, Ghdl, compiles_everywhere, ghdl, ghdl_of_long_runs, replaced, run};
+use crate::tools::{CHECKED, Ghdl, compiles_everywhere, ghdl_of_long_runs, replaced, run};
 use efsat::artefact::{DesignFilesError, FileSet, Packaging, Prefix, design_files_with};
 use efsat::design::{Design, Probes};
 use efsat::engine::artefact::{EngineDesign, EngineExtras, engine_design_files_with};
@@ -65,7 +65,7 @@ fn the_unit_answers_a_processor_as_the_reference_model() {
     let wrong: Vec<String> = share(4, [tiny(), Params { tag_width: 34, ..wide }, bare, determinants])
         .par_iter()
         .filter_map(|params| {
-            let report = said(&bench(ghdl(), &unit(params))?, &[]);
+            let report = said(&bench(ghdl_of_long_runs(), &unit(params))?, &[]);
             (!fine(&report)).then(|| format!("{}: {report}", params.command_line()))
         })
         .collect();
@@ -122,7 +122,7 @@ const MISTAKES: [(&str, &str); 24] = [
 #[test]
 fn mistakes_in_the_registers_are_noticed() {
     let files = unit(&small());
-    let Some(right) = bench(ghdl(), &files) else { return };
+    let Some(right) = bench(ghdl_of_long_runs(), &files) else { return };
     assert!(fine(&said(&right, &PASS)));
     let text = files.get("efsat_registers.vhd").unwrap();
     let unnoticed: Vec<&str> = share(8, MISTAKES)

@@ -69,7 +69,7 @@ fn package() -> Option<String> {
     let built = venv.join("built").metadata().and_then(|built| built.modified());
     let is_present = built.is_ok_and(|built| sources.into_iter().all(|changed| changed <= built));
     if !is_present {
-        skip("the package for Python, of these sources, is not installed: scripts/python");
+        skip("the package for Python of these sources is not installed: scripts/python");
     }
     is_present.then(|| venv.join("bin/python").display().to_string())
 }

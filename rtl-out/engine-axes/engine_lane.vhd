@@ -14,8 +14,9 @@
 -- pairs in flight sends four: so none waits for that queue in front of the oldest query's. And it pops only while few pairs
 -- wait for their blocks, so that those of the oldest do not wait behind many.
 --
--- What frees room is counted a clock late. Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted,
--- while a record has sent three of its four: so a pair is popped only if there are 3 places more than the rule asks for. Right
+-- The lane is chosen in one clock (engine_issue) and its pair popped in a later one, and what frees room is counted a clock late.
+-- Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted,
+-- while a record has sent three of its four: so the lane is chosen only if there are 3 places more than the rule asks for. Right
 -- behind a pop of its own the lane pops only if there is plenty.
 --------------------------------------------------------------------------------
 library ieee;
@@ -29,16 +30,16 @@ entity engine_lane is
     reset : in std_logic;
     start : in std_logic;  -- one clock long: a query begins with the roots
     more_expansions : in unsigned(31 downto 0);  -- of it, behind the first
-    only_one : in std_logic;  -- there are none
+    only_one : in std_logic;  -- the first is the last
     oldest : in std_logic;  -- it is the oldest query
     ending : in std_logic;  -- no pair is popped any more
     ended : in std_logic;  -- the same, a clock later
     -- Issue.
-    all_fly : in std_logic;
-    crowded : in std_logic;  -- a younger query waits
-    may_pop : out std_logic;
+    all_fly : in std_logic;  -- no pair more may be in flight
+    crowded : in std_logic;  -- so many pairs wait for blocks that a younger query pops none
+    may_pop : out std_logic;  -- it may be chosen
     chosen : in std_logic;  -- the next pair that is popped is of this lane
-    pop : in std_logic;
+    pop : in std_logic;  -- it is popped
     top_entry : out std_logic_vector(entry_bits - 1 downto 0);
     -- An answer of the volume unit, and the records of survivors that it brings.
     met : in std_logic;
@@ -48,7 +49,7 @@ entity engine_lane is
     next_entry : in std_logic_vector(entry_bits - 1 downto 0);  -- the one that was to be pushed
     nodes_finished : in std_logic;  -- the last of its record
     sends_pair : in std_logic;  -- a pair of leaves goes into its queue
-    leaves_finished : in std_logic;  -- the last of its record
+    leaves_finished : in std_logic;  -- a record of leaves is finished
     pair_left : in std_logic;  -- a pair leaves the queue
     -- State.
     idle : out std_logic := '1';  -- a clock ago nothing was in flight, and nothing was to be popped
@@ -217,14 +218,11 @@ begin
         if pop = '1' then
           room <= unsigned(signed(room) + (change - 3));
           pair_room <= unsigned(signed(pair_room) + (pair_change - 4));
-        else
-          room <= unsigned(signed(room) + change);
-          pair_room <= unsigned(signed(pair_room) + pair_change);
-        end if;
-        if pop = '1' then
           flying <= steady + 1;
           nothing_flies <= '0';
         else
+          room <= unsigned(signed(room) + change);
+          pair_room <= unsigned(signed(pair_room) + pair_change);
           flying <= steady;
           nothing_flies <= '0';
           if steady = 0 then

@@ -530,19 +530,6 @@ begin
     port map (
       clk => aclk,
       restart => restart,
-      m_axi_araddr => m_axi_araddr,
-      m_axi_arlen => m_axi_arlen,
-      m_axi_arsize => m_axi_arsize,
-      m_axi_arburst => m_axi_arburst,
-      m_axi_arcache => m_axi_arcache,
-      m_axi_arprot => m_axi_arprot,
-      m_axi_arvalid => m_axi_arvalid,
-      m_axi_arready => m_axi_arready,
-      m_axi_rdata => m_axi_rdata,
-      m_axi_rresp => m_axi_rresp,
-      m_axi_rlast => m_axi_rlast,
-      m_axi_rvalid => m_axi_rvalid,
-      m_axi_rready => m_axi_rready,
       reset => reset,
       flush => flush,
       flushing => flushing,
@@ -571,6 +558,19 @@ begin
       triangle_b => triangle_b,
       block_reads => block_reads,
       triangle_reads => triangle_reads,
-      words_read => words_read
+      words_read => words_read,
+      m_axi_araddr => m_axi_araddr,
+      m_axi_arlen => m_axi_arlen,
+      m_axi_arsize => m_axi_arsize,
+      m_axi_arburst => m_axi_arburst,
+      m_axi_arvalid => m_axi_arvalid,
+      m_axi_arready => m_axi_arready,
+      m_axi_rdata => m_axi_rdata,
+      m_axi_rresp => m_axi_rresp,
+      m_axi_rlast => m_axi_rlast,
+      m_axi_rvalid => m_axi_rvalid,
+      m_axi_rready => m_axi_rready
     );
+  m_axi_arcache <= "0011";
+  m_axi_arprot <= "000";
 end architecture rtl;

@@ -6,32 +6,18 @@
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
-use ieee.numeric_std.all;
 use work.engine_layout.all;
 
 entity engine_lines is
   port (
     clk : in std_logic;
     restart : in std_logic;  -- what was asked for is forgotten
-    m_axi_araddr : out std_logic_vector(31 downto 0);
-    m_axi_arlen : out std_logic_vector(7 downto 0);  -- beats of the burst less one
-    m_axi_arsize : out std_logic_vector(2 downto 0);  -- always whole words
-    m_axi_arburst : out std_logic_vector(1 downto 0);  -- always INCR
-    m_axi_arcache : out std_logic_vector(3 downto 0);  -- always 0011: normal, not cacheable, bufferable
-    m_axi_arprot : out std_logic_vector(2 downto 0);  -- always 000: data, secure, not privileged
-    m_axi_arvalid : out std_logic;
-    m_axi_arready : in std_logic;
-    m_axi_rdata : in std_logic_vector(63 downto 0);
-    m_axi_rresp : in std_logic_vector(1 downto 0);
-    m_axi_rlast : in std_logic;
-    m_axi_rvalid : in std_logic;
-    m_axi_rready : out std_logic;  -- always set
-    reset : in std_logic;
+    reset : in std_logic;  -- also what memory still answers is forgotten
     flush : in std_logic;  -- one clock long: the caches are emptied
     flushing : out std_logic;
-    failed : out std_logic;
+    failed : out std_logic;  -- memory has answered with an error
     draining : out std_logic;  -- old bursts are under way
-    silent : out std_logic;
+    silent : out std_logic;  -- memory does not answer
     -- Blocks of a pair of nodes.
     block_base_a : in std_logic_vector(31 downto 0);
     block_base_b : in std_logic_vector(31 downto 0);
@@ -57,7 +43,18 @@ entity engine_lines is
     -- Lines and words that are read from memory.
     block_reads : out std_logic_vector(1 downto 0);
     triangle_reads : out std_logic_vector(1 downto 0);
-    words_read : out std_logic
+    words_read : out std_logic;
+    m_axi_araddr : out std_logic_vector(31 downto 0);
+    m_axi_arlen : out std_logic_vector(7 downto 0);
+    m_axi_arsize : out std_logic_vector(2 downto 0);
+    m_axi_arburst : out std_logic_vector(1 downto 0);
+    m_axi_arvalid : out std_logic;
+    m_axi_arready : in std_logic;
+    m_axi_rdata : in std_logic_vector(memory_width - 1 downto 0);
+    m_axi_rresp : in std_logic_vector(1 downto 0);
+    m_axi_rlast : in std_logic;
+    m_axi_rvalid : in std_logic;
+    m_axi_rready : out std_logic
   );
 end entity engine_lines;
 
@@ -207,6 +204,4 @@ begin
       m_axi_rvalid => m_axi_rvalid,
       m_axi_rready => m_axi_rready
     );
-  m_axi_arcache <= "0011";
-  m_axi_arprot <= "000";
 end architecture rtl;

@@ -49,17 +49,17 @@ entity engine_traverse is
     pair_a : out std_logic_vector(27 downto 0);  -- number of the triangle
     pair_b : out std_logic_vector(27 downto 0);
     -- State and events, each of one clock.
-    idle : out std_logic_vector(lanes - 1 downto 0) := (others => '1');  -- a clock ago nothing was in flight, and nothing was to be popped
+    idle : out std_logic_vector(lanes - 1 downto 0);  -- a clock ago nothing was in flight, and nothing was to be popped
     waiting : out std_logic;  -- something is in flight
-    bad_tree : out std_logic_vector(lanes - 1 downto 0) := (others => '0');
-    limit_reached : out std_logic_vector(lanes - 1 downto 0) := (others => '0');
+    bad_tree : out std_logic_vector(lanes - 1 downto 0);
+    limit_reached : out std_logic_vector(lanes - 1 downto 0);
     expanded : out std_logic;
     expanded_lane : out std_logic_vector(lane_bits - 1 downto 0);
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
-    tested_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
+    tested_lane : out std_logic_vector(lane_bits - 1 downto 0);
     survived : out std_logic_vector(2 downto 0);  -- so many more
-    survived_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
-    greatest_stack : out unsigned(15 downto 0) := (others => '0')  -- of the oldest query, a clock ago
+    survived_lane : out std_logic_vector(lane_bits - 1 downto 0);
+    greatest_stack : out unsigned(15 downto 0)  -- of the oldest query, a clock ago
   );
 end entity engine_traverse;
 

@@ -7,7 +7,6 @@
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
-use ieee.numeric_std.all;
 use work.engine_layout.all;
 
 entity engine_triangles is

@@ -531,25 +531,6 @@ begin
       block_write => block_write,
       triangle_write => triangle_write,
 {%- else %}
-{%- if e.memory.id.is_some() %}
-      m_axi_arid => m_axi_arid,
-{%- endif %}
-      m_axi_araddr => m_axi_araddr,
-      m_axi_arlen => m_axi_arlen,
-      m_axi_arsize => m_axi_arsize,
-      m_axi_arburst => m_axi_arburst,
-      m_axi_arcache => m_axi_arcache,
-      m_axi_arprot => m_axi_arprot,
-      m_axi_arvalid => m_axi_arvalid,
-      m_axi_arready => m_axi_arready,
-{%- if e.memory.id.is_some() %}
-      m_axi_rid => m_axi_rid,
-{%- endif %}
-      m_axi_rdata => m_axi_rdata,
-      m_axi_rresp => m_axi_rresp,
-      m_axi_rlast => m_axi_rlast,
-      m_axi_rvalid => m_axi_rvalid,
-      m_axi_rready => m_axi_rready,
       reset => reset,
       flush => flush,
       flushing => flushing,
@@ -579,6 +560,9 @@ begin
       triangle_b => triangle_b,
       block_reads => block_reads,
       triangle_reads => triangle_reads,
-      words_read => words_read
+      words_read => words_read{% if e.axi %},
+{% include "engine/read_port.vhd" %}
+{%- else %}
     );
+{%- endif %}
 end architecture rtl;

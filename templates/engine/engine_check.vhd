@@ -2,7 +2,8 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- The check of a query that is admitted: do its trees have roots, and do they end where the memory ends{% if e.axi %}; are the caches about them{% endif %}.
+-- The check of a query that is admitted: have its trees roots, do they lie within the memory{% if e.axi %}, and are they the ones
+-- that the caches hold{% endif %}?
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,15 +14,16 @@ entity {{ prefix }}engine_check is
   port (
     clk : in std_logic;
     load : in std_logic;  -- one clock long: the first words of the query are there
-    checked : in std_logic_vector(head_bits - 1 downto 0);
+    checked : in std_logic_vector(head_bits - 1 downto 0);  -- the first words of the query
 {%- if e.axi %}
     known : in std_logic;  -- the caches are those of the query that was checked last
 {%- endif %}
-    most_expansions : out std_logic_vector(31 downto 0);
-    -- From the next clock on, and the clock behind it.
+    -- From the clock behind load on.
+    most_expansions : out std_logic_vector(31 downto 0) := (others => '0');
 {%- if e.axi %}
-    moved : out std_logic_vector(4 downto 0) := (others => '0');  -- which places are not those of the caches; 4: or the query asks for it
+    moved : out std_logic_vector(4 downto 0) := (others => '0');  -- places that are not those of the caches; bit 4: caches are not known, or not to be kept
 {%- endif %}
+    -- A clock later.
     outside : out std_logic_vector(3 downto 0) := "0000";  -- the memory ends before the range
     empty : out std_logic := '0'  -- a tree without a root
   );
@@ -32,13 +34,13 @@ architecture rtl of {{ prefix }}engine_check is
   signal new_bases : places;
   signal bases : places := (others => (others => '0'));
   signal counts : places := (others => (others => '0'));
-  signal options : std_logic_vector(63 downto 0) := (others => '0');
+  signal options : std_logic_vector(63 downto 0);
 begin
   new_bases(0) <= unsigned(checked(job_blocks_a));
   new_bases(1) <= unsigned(checked(job_blocks_b));
   new_bases(2) <= unsigned(checked(job_triangles_a)){% if e.block_ram %} xor x"02000000"{% endif %};
   new_bases(3) <= unsigned(checked(job_triangles_b)){% if e.block_ram %} xor x"02000000"{% endif %};
-  most_expansions <= options(option_expansions);
+  options <= checked(job_options);
 
   check : process (clk)
   begin
@@ -49,7 +51,7 @@ begin
         counts(1) <= unsigned(checked(job_block_count_b));
         counts(2) <= unsigned(checked(job_triangle_count_a));
         counts(3) <= unsigned(checked(job_triangle_count_b));
-        options <= checked(job_options);
+        most_expansions <= options(option_expansions);
 {%- if e.axi %}
         moved <= (others => '0');
         for i in 0 to 3 loop

@@ -128,13 +128,13 @@ architecture rtl of {{ prefix }}engine_control is
   signal started_lane : lane_number := (others => '0');
   signal load_check : std_logic;
 {%- if e.axi %}
-  signal known : std_logic := '0';  -- the caches are those of the bases
+  signal known : std_logic := '0';  -- the caches are those of the query that was checked last
   constant no_place : std_logic_vector(4 downto 0) := (others => '0');
-  signal moved : std_logic_vector(4 downto 0);  -- which places are not those of the caches; 4: or the query asks for it
+  signal moved : std_logic_vector(4 downto 0);
   signal flush_now : std_logic := '0';
 {%- endif %}
-  signal outside : std_logic_vector(3 downto 0);  -- the memory ends before the range
-  signal empty : std_logic;  -- a tree without a root
+  signal outside : std_logic_vector(3 downto 0);
+  signal empty : std_logic;
 
   -- The end of the oldest query.
   signal reporting : std_logic := '0';
@@ -214,6 +214,7 @@ begin
     end if;
   end process compare;
 
+  -- ===== Checks =====
   load_check <= '1' when phase = check_state and checks = "01" else '0';
 
   check : entity work.{{ prefix }}engine_check

@@ -2,7 +2,7 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Pairs of nodes in flight, in the order in which they were popped: each has a place. Their blocks come from memory, the volume
+-- Pairs of nodes in flight, in the order in which they were popped, whatever their lanes: each has a place. Their blocks come from memory, the volume
 -- unit takes the volumes of the children, their links are listed here, and its answer says which pairs of children may overlap.
 --
 -- A leaf has no block: its volume is in that of its parent.
@@ -17,7 +17,7 @@ entity {{ prefix }}engine_flight is
     clk : in std_logic;
     reset : in std_logic;
     ending : in std_logic_vector(lanes - 1 downto 0);  -- what is in flight of it is dropped
-    popped : in std_logic;
+    popped : in std_logic;  -- a pair, which gets the next place
     popped_lane : in unsigned(lane_bits - 1 downto 0);
     popped_entry : in std_logic_vector(entry_bits - 1 downto 0);
     -- The blocks of the oldest pair whose blocks were not taken.
@@ -101,7 +101,8 @@ architecture rtl of {{ prefix }}engine_flight is
   -- The oldest of the pairs whose children are listed.
   signal answered_children : std_logic_vector(131 downto 0);
   signal answered_lane : unsigned(lane_bits - 1 downto 0);
-  signal lane_met : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  -- Its answer, a clock later.
+  signal met_lane_now : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal wrong : std_logic := '0';  -- a survivor has a wrong link
 begin
   taken_entry <= entry_memory(to_integer(taken_place));
@@ -233,21 +234,21 @@ begin
       end if;
       met_entry <= entry_memory(to_integer(answered_place));
       met_family <= answered_children(119 downto 0);
-      lane_met <= answered_lane;
+      met_lane_now <= answered_lane;
       met_nodes <= survive and answered_children(123 downto 120);
       met_leaves <= survive and answered_children(127 downto 124);
       met <= survive_valid and not reset;
     end if;
   end process meet;
 
-  met_lane <= lane_met;
+  met_lane <= met_lane_now;
 
   find_bad : process (clk)
   begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
         bad_tree(lane) <= '0';
-        if (wrong = '1' and lane_met = lane) or ((bad_a or bad_b) = '1' and there_lane = lane) then
+        if (wrong = '1' and met_lane_now = lane) or ((bad_a or bad_b) = '1' and there_lane = lane) then
           bad_tree(lane) <= not reset;
         end if;
       end loop;

@@ -3,7 +3,7 @@
 {% endfor -%}
 --
 -- Which pair of nodes is opened next: of the lanes that may pop that of the oldest query, if less than {{ e.traversal.in_flight }} pairs of all lanes fly. Its two
--- blocks are asked for. Pairs in flight keep their order, whatever their lanes.
+-- blocks are asked for.
 --
 -- A lane is chosen in one clock and its pair popped in a later one. How many fly is looked at when it is chosen: an answer in between
 -- may make two records of one pair, each of which has its place.
@@ -51,9 +51,9 @@ entity {{ prefix }}engine_issue is
     leaf_lane : in std_logic_vector(lane_bits - 1 downto 0);
     pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a pair leaves the queue of its lane
     -- State and events, each of one clock.
-    idle : out std_logic_vector(lanes - 1 downto 0) := (others => '1');  -- a clock ago nothing was in flight, and nothing was to be popped
+    idle : out std_logic_vector(lanes - 1 downto 0);  -- a clock ago nothing was in flight, and nothing was to be popped
     waiting : out std_logic;  -- something is in flight
-    limit_reached : out std_logic_vector(lanes - 1 downto 0) := (others => '0');
+    limit_reached : out std_logic_vector(lanes - 1 downto 0);
     greatest_stack : out unsigned(15 downto 0) := (others => '0')  -- of the oldest query, a clock ago
   );
 end entity {{ prefix }}engine_issue;
@@ -103,7 +103,7 @@ begin
 
   each_lane : for lane in 0 to lanes - 1 generate
     signal earlier : flags;  -- lanes of older queries that may pop
-    signal is_oldest : std_logic;
+    signal oldest_here : std_logic;
     -- Events of this lane.
     signal met_here : std_logic;
     signal pushed_here : std_logic;
@@ -112,7 +112,7 @@ begin
     signal leaves_here : std_logic;
   begin
     starts(lane) <= start when unsigned(start_lane) = lane else '0';
-    is_oldest <= '1' when unsigned(oldest) = lane else '0';
+    oldest_here <= '1' when unsigned(oldest) = lane else '0';
     met_here <= met when met_lane = lane else '0';
     pushed_here <= pushes when pushes_lane = lane else '0';
     finished_here <= nodes_finished when finished_lane = lane else '0';
@@ -132,7 +132,7 @@ begin
         start => starts(lane),
         more_expansions => more_expansions,
         only_one => only_one,
-        oldest => is_oldest,
+        oldest => oldest_here,
         ending => ending(lane),
         ended => ended(lane),
         all_fly => all_fly,

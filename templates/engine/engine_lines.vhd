@@ -6,12 +6,10 @@
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
-use ieee.numeric_std.all;
 use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}engine_lines is
   port (
-{%- let read_ports = [""] %}
     clk : in std_logic;
     restart : in std_logic;  -- what was asked for is forgotten
 {%- if e.block_ram %}
@@ -21,13 +19,12 @@ entity {{ prefix }}engine_lines is
     block_write : in std_logic;
     triangle_write : in std_logic;
 {%- else %}
-{%- include "engine/read_ports.vhd" %}
-    reset : in std_logic;
+    reset : in std_logic;  -- also what memory still answers is forgotten
     flush : in std_logic;  -- one clock long: the caches are emptied
     flushing : out std_logic;
-    failed : out std_logic;
+    failed : out std_logic;  -- memory has answered with an error
     draining : out std_logic;  -- old bursts are under way
-    silent : out std_logic;
+    silent : out std_logic;  -- memory does not answer
 {%- endif %}
     -- Blocks of a pair of nodes.
     block_base_a : in std_logic_vector(31 downto 0);
@@ -54,7 +51,18 @@ entity {{ prefix }}engine_lines is
     -- Lines and words that are read from memory.
     block_reads : out std_logic_vector(1 downto 0);
     triangle_reads : out std_logic_vector(1 downto 0);
-    words_read : out std_logic
+    words_read : out std_logic{% if e.axi %};
+    m_axi_araddr : out std_logic_vector(31 downto 0);
+    m_axi_arlen : out std_logic_vector(7 downto 0);
+    m_axi_arsize : out std_logic_vector(2 downto 0);
+    m_axi_arburst : out std_logic_vector(1 downto 0);
+    m_axi_arvalid : out std_logic;
+    m_axi_arready : in std_logic;
+    m_axi_rdata : in std_logic_vector(memory_width - 1 downto 0);
+    m_axi_rresp : in std_logic_vector(1 downto 0);
+    m_axi_rlast : in std_logic;
+    m_axi_rvalid : in std_logic;
+    m_axi_rready : out std_logic{% endif %}
   );
 end entity {{ prefix }}engine_lines;
 
@@ -177,6 +185,17 @@ begin
       draining => draining,
       silent => silent,
       word_read => words_read,
-{% include "engine/read_port.vhd" %}
+      m_axi_araddr => m_axi_araddr,
+      m_axi_arlen => m_axi_arlen,
+      m_axi_arsize => m_axi_arsize,
+      m_axi_arburst => m_axi_arburst,
+      m_axi_arvalid => m_axi_arvalid,
+      m_axi_arready => m_axi_arready,
+      m_axi_rdata => m_axi_rdata,
+      m_axi_rresp => m_axi_rresp,
+      m_axi_rlast => m_axi_rlast,
+      m_axi_rvalid => m_axi_rvalid,
+      m_axi_rready => m_axi_rready
+    );
 {%- endif %}
 end architecture rtl;

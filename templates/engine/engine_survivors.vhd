@@ -112,19 +112,23 @@ architecture rtl of {{ prefix }}engine_survivors is
   signal next_level : std_logic_vector(level_bits - 1 downto 0) := (others => '0');
   signal pair_due : std_logic;
   signal met_survivors : std_logic_vector(3 downto 0);
+  signal met_node_record : node_record;
+  signal met_leaf_record : leaf_record;
 begin
   met_survivors <= met_nodes or met_leaves;
+  met_node_record <= met_nodes & met_family & met_entry;
+  -- Of the children their numbers.
+  met_leaf_record <= met_leaves & met_family(117 downto 90) & met_family(87 downto 60) & met_family(57 downto 30) & met_family(27 downto 0);
 
   -- A record goes into its queue if it is not the first.
   nodes_wait <= '0' when node_count = 0 else '1';
   nodes_free <= last_pick or not opened;
-  next_nodes <= node_memory(to_integer(node_read)) when nodes_wait = '1' else met_nodes & met_family & met_entry;
+  next_nodes <= node_memory(to_integer(node_read)) when nodes_wait = '1' else met_node_record;
   next_leaf <= next_nodes(entry_bits + 119) & next_nodes(entry_bits + 89) & next_nodes(entry_bits + 59) & next_nodes(entry_bits + 29);
   next_node_lane <= node_lanes(to_integer(node_read)) when nodes_wait = '1' else met_lane;
   leaves_wait <= '0' when leaf_count = 0 else '1';
   leaves_free <= last_sent or not some_leaves;
-  next_leaves <= leaf_memory(to_integer(leaf_read)) when leaves_wait = '1' else
-    met_leaves & met_family(117 downto 90) & met_family(87 downto 60) & met_family(57 downto 30) & met_family(27 downto 0);
+  next_leaves <= leaf_memory(to_integer(leaf_read)) when leaves_wait = '1' else met_leaf_record;
   next_leaf_lane <= leaf_lanes(to_integer(leaf_read)) when leaves_wait = '1' else met_lane;
 
   queue : process (clk)
@@ -139,12 +143,11 @@ begin
       leaves_come := brings_leaves = '1' and (leaves_wait = '1' or leaves_free = '0');
       leaves_go := leaves_wait = '1' and leaves_free = '1';
       if nodes_come then
-        node_memory(to_integer(node_written)) <= met_nodes & met_family & met_entry;
+        node_memory(to_integer(node_written)) <= met_node_record;
         node_lanes(to_integer(node_written)) <= met_lane;
       end if;
       if leaves_come then
-        leaf_memory(to_integer(leaf_written)) <=
-          met_leaves & met_family(117 downto 90) & met_family(87 downto 60) & met_family(57 downto 30) & met_family(27 downto 0);
+        leaf_memory(to_integer(leaf_written)) <= met_leaf_record;
         leaf_lanes(to_integer(leaf_written)) <= met_lane;
       end if;
       if reset = '1' then

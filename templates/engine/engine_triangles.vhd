@@ -7,7 +7,6 @@
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
-use ieee.numeric_std.all;
 use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}engine_triangles is
@@ -37,11 +36,10 @@ entity {{ prefix }}engine_triangles is
 {%- endif %}
     job_words : in std_logic_vector(job_bits - 1 downto 0);
 {%- if e.unit.signs.len() > 0 %}
-    -- A job whose pose is taken; the same of its numbers.
-    forgotten : in std_logic;
+    forgotten : in std_logic;  -- reset, but not by an error of memory: the pose stays then
     job_taken : in std_logic;
-    job_posed : in std_logic;
-    job_unfit : in std_logic;
+    job_posed : in std_logic;  -- it has a pose
+    job_unfit : in std_logic;  -- a number of the pose is no sign extension
 {%- endif %}
     pose_valid : in std_logic;
     pose_ready : out std_logic;
@@ -57,7 +55,7 @@ entity {{ prefix }}engine_triangles is
 end entity {{ prefix }}engine_triangles;
 
 architecture rtl of {{ prefix }}engine_triangles is
-  signal there : std_logic;  -- triangles, and not sent yet
+  signal there : std_logic;  -- triangles{% if e.unit.paced %}, and not sent yet{% endif %}
   signal triangles_go : std_logic;  -- to the unit, or past it, or they are dropped
 {%- if e.unit.paced %}
   signal taken : std_logic := '0';  -- the same, a clock ago
@@ -106,6 +104,7 @@ begin
   pose_words <= pose;
   triangles_there <= there;
 {%- if e.unit.signs.len() > 0 %}
+
   -- With the bypass the numbers of a pose are not read.
   look : process (clk)
   begin

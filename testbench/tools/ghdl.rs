@@ -5,7 +5,7 @@ use efsat_hardware::tools::{self, Tool};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
-use std::sync::{Arc, LazyLock, Mutex, OnceLock};
+use std::sync::{LazyLock, Mutex, OnceLock};
 use tempfile::TempDir;
 
 /// The GHDL of tests with short runs, that which compiles fastest; where none is installed none, which is said.
@@ -63,30 +63,28 @@ impl Ghdl {
         Self { tool, dir: dir.to_owned(), _scratch: None }
     }
 
-    /// In a new folder with these files, names and texts, analysed in their order. They come in stages: a stage behind the same
-    /// others is analysed once in a run of the tests.
+    /// In a new folder with these files, names and texts, analysed in their order. They come in stages: files that are the same up
+    /// to the end of a stage are analysed once in a run of the tests.
     pub fn analysed(tool: &'static Tool, stages: &[Vec<(&str, &str)>]) -> Self {
-        type Analysed = HashMap<String, Arc<OnceLock<Ghdl>>>;
+        type Analysed = HashMap<String, &'static OnceLock<Ghdl>>;
         static ANALYSED: LazyLock<Mutex<Analysed>> = LazyLock::new(Mutex::default);
         let mut key = tool.path.display().to_string();
-        let mut last: Option<Arc<OnceLock<Self>>> = None;
-        for files in stages {
+        let mut last: Option<&Self> = None;
+        for files in stages.iter().filter(|files| !files.is_empty()) {
             files.iter().for_each(|(name, text)| key.extend(["\n", name, "\n", text]));
-            let place = ANALYSED.lock().unwrap().entry(key.clone()).or_default().clone();
-            place.get_or_init(|| {
+            let place: &OnceLock<Self> =
+                ANALYSED.lock().unwrap().entry(key.clone()).or_insert_with(|| Box::leak(Box::default()));
+            last = Some(place.get_or_init(|| {
                 let made = Self { tool, dir: tempfile::tempdir_in(kept()).unwrap().keep(), _scratch: None };
-                if let Some(last) = last.as_ref().and_then(|last| last.get()) {
+                if let Some(last) = last {
                     last.copy_to(&made.dir);
                 }
                 files.iter().for_each(|(name, text)| made.write(name, text));
-                if !files.is_empty() {
-                    made.analyse(&files.iter().map(|(name, _)| *name).collect::<Vec<_>>());
-                }
+                made.analyse(&files.iter().map(|(name, _)| *name).collect::<Vec<_>>());
                 made
-            });
-            last = Some(place);
+            }));
         }
-        last.as_ref().and_then(|last| last.get()).expect("a stage").copy()
+        last.expect("files").copy()
     }
 
     /// A copy of the folder, with all that was analysed in it.

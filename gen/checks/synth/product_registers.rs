@@ -317,8 +317,8 @@ pub fn pack_operands(netlist: &mut Netlist) -> u64 {
         let mut copied: HashSet<u64> = HashSet::new();
         for cell in module.cells.values_mut().filter(|cell| ECP5.is_multiplier(cell)) {
             let operands = OPERANDS.map(|name| operand(cell, name, &in_front));
-            let [Some((a, clock)), Some((b, other))] = operands else { continue };
-            if clock != other {
+            let [Some((a, clock)), Some((b, clock_of_b))] = operands else { continue };
+            if clock != clock_of_b {
                 continue;
             }
             for name in OPERANDS {

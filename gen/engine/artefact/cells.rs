@@ -66,7 +66,7 @@ pub struct Entity {
     pub instances: u64,
     /// What is predicted of one by itself, without those in it.
     pub own: Cells,
-    /// The entities in it. The two units, which are in the entity [`NAME`], are not among them.
+    /// The entities in it. The two units are not among them.
     pub parts: Vec<Self>,
 }
 
@@ -183,8 +183,8 @@ impl Sheet<'_> {
         }
     }
 
-    /// Bits of a memory: those that are read, where its cells have one bit, or all.
-    fn read(&self, used: u32, stored: u32) -> u32 {
+    /// The bits that are read, where memories have cells of one bit, or all.
+    fn read_bits(&self, used: u32, stored: u32) -> u32 {
         if self.fabric.memory_cell.1 == 1 { used } else { stored }
     }
 
@@ -204,13 +204,16 @@ impl Sheet<'_> {
 impl Sheet<'_> {
     fn engine(&self) -> Entity {
         let luts = 40 + self.design.params.lane_bits() * self.of([15, 24, 16]);
-        let control = Entity { parts: vec![self.check()], ..self.control() };
-        let around = [self.answer(), self.command(), control, self.pairs(), self.queries(), self.triangles()];
-        let memories = self.values.memory.memories.iter().map(|lines| self.memories(lines));
-        let lines = memories.chain(self.values.axi.then(|| self.read_master())).collect();
-        let lines = Entity { parts: lines, ..self.entity("engine_lines", 0, &[], &[], 7 * u32::from(self.values.axi)) };
-        let parts = around.into_iter().chain([self.traverse(), lines]).collect();
+        let around = [self.answer(), self.command(), self.control(), self.lines(), self.pairs(), self.queries()];
+        let parts = around.into_iter().chain([self.traverse(), self.triangles()]).collect();
         Entity { parts, ..self.entity(NAME, 0, &[], &[], luts) }
+    }
+
+    /// What both sides have to take and to give.
+    fn lines(&self) -> Entity {
+        let memories = self.values.memory.memories.iter().map(|lines| self.memory_of(lines));
+        let parts = memories.chain(self.values.axi.then(|| self.read_master())).collect();
+        Entity { parts, ..self.entity("engine_lines", 0, &[], &[], 7 * u32::from(self.values.axi)) }
     }
 
     /// Corners come from memory or from a packet; numbers go past the unit.
@@ -250,7 +253,7 @@ impl Sheet<'_> {
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
         let flip_flops = lanes * (24 + 5 + 12) + 4 * lane_bits + 13 + 6 * axi;
         let luts = self.of([0, 370, 0]) + lanes * self.of([165, 130, 122]) + self.chosen(24 + 5);
-        self.entity("engine_control", flip_flops, &[], &[], luts)
+        Entity { parts: vec![self.check()], ..self.entity("engine_control", flip_flops, &[], &[], luts) }
     }
 
     /// Bases, counts and a limit; what caches have is compared with what a query is about.
@@ -275,13 +278,10 @@ impl Sheet<'_> {
         self.entity("engine_queries", 3 * lanes, &[in_place.as_slice(), &apart, &registered].concat(), &[], luts)
     }
 
-    /// Registers of the lanes that end, and what is in the traversals.
+    /// Registers of the lanes that end.
     fn traverse(&self) -> Entity {
-        let lanes = self.design.params.queries;
-        let lane = Entity { parts: vec![self.stack()], ..self.lane() };
-        let issue = Entity { parts: vec![lane.times(lanes)], ..self.issue() };
-        let flight = Entity { parts: vec![self.children().times(2)], ..self.flight() };
-        Entity { parts: vec![issue, flight, self.survivors()], ..self.entity("engine_traverse", lanes, &[], &[], 0) }
+        let parts = vec![self.issue(), self.flight(), self.survivors()];
+        Entity { parts, ..self.entity("engine_traverse", self.design.params.queries, &[], &[], 0) }
     }
 
     /// Room of both kinds, pairs in flight and expansions that are left.
@@ -291,7 +291,7 @@ impl Sheet<'_> {
         let sums = self.of([3, 2, 3]);
         let chains = [(1, 32), (sums, t.room_bits), (sums, t.pair_room_bits), (2, t.flight_bits + 2)];
         let luts = (13 * t.room_bits + 14 * t.pair_room_bits) / 3 + 4 * (t.flight_bits + 2) + t.entry_bits;
-        self.entity("engine_lane", flip_flops, &[], &chains, luts + 80)
+        Entity { parts: vec![self.stack()], ..self.entity("engine_lane", flip_flops, &[], &chains, luts + 80) }
     }
 
     /// The lane that was chosen, the pair whose blocks are asked for, and what flies.
@@ -300,21 +300,23 @@ impl Sheet<'_> {
         let (lanes, lane, flight) = (params.queries, params.lane_bits(), t.flight_bits);
         let flip_flops = lanes + 2 * params.block_number_bits + 3 * lane + 11 + 2 * flight + 16;
         let chains = [(1, 32), (4, flight + 2)];
-        // The top of each stack is chosen among more lanes than a table has inputs for.
-        let luts = self.of([148, 171, 120]) + self.chosen(t.entry_bits + 16) + u32::from(lanes > 4) * 268;
-        self.entity("engine_issue", flip_flops, &[], &chains, luts)
+        let bits = t.entry_bits + 16;
+        // The top of a stack is chosen among more lanes than a table has inputs for.
+        let luts = self.of([148, 171, 120]) + self.chosen(bits) + u32::from(lanes > 4) * 7 * bits / 2;
+        Entity { parts: vec![self.lane().times(lanes)], ..self.entity("engine_issue", flip_flops, &[], &chains, luts) }
     }
 
     /// Places in flight, and the children of the blocks.
     fn flight(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, lane) = (params.queries, params.lane_bits());
-        // Of memories with cells of one bit those that nobody reads are left out: which children an entry has, the fault of a child,
-        // and bits that the number of a block has not.
-        let met = self.read(t.entry_bits - 4, t.entry_bits);
-        let flip_flops = 4 * t.flight_bits + 4 * lane + 25 + met + self.read(4 * 29, 4 * 30) + lanes;
-        let memories = [t.entry_bits, met, lane, lane, self.read(128, 132)].map(|bits| (Apart, t.flight_places, bits));
-        self.entity("engine_flight", flip_flops, &memories, &[(4, t.flight_bits)], 60)
+        // Which children an entry has and the fault of a child are not read.
+        let met = self.read_bits(t.entry_bits - 4, t.entry_bits);
+        let flip_flops = 4 * t.flight_bits + 4 * lane + 25 + met + self.read_bits(4 * 29, 4 * 30) + lanes;
+        let memories =
+            [t.entry_bits, met, lane, lane, self.read_bits(128, 132)].map(|bits| (Apart, t.flight_places, bits));
+        let own = self.entity("engine_flight", flip_flops, &memories, &[(4, t.flight_bits)], 60);
+        Entity { parts: vec![self.children().times(2)], ..own }
     }
 
     /// Both queues of survivors, and those that are pushed and sent.
@@ -322,10 +324,10 @@ impl Sheet<'_> {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lane, node, entry, flight) = (params.lane_bits(), params.block_number_bits, t.entry_bits, t.flight_bits);
         let (child, level) = (node + 1, entry - 2 * node - 4);
-        // Whole cells that nobody reads are left out, too.
+        // Nor are bits that the number of a block has not: whole cells of them are left out.
         let (cell, unread) = (self.fabric.memory_cell.1, 31 - child);
         let whole = (unread + 1).saturating_sub(cell) / cell * cell;
-        let record = self.read(entry + 4 * child, entry + 124 - 4 * whole);
+        let record = self.read_bits(entry + 4 * child, entry + 124 - 4 * whole);
         let queues = 2 * (3 * flight + 1) + lane + 116;
         let pushed = 3 * lane + 17 + (entry - 4) + 4 * child + 2 * child + 2 * node + level;
         let memories = [record, lane, 116, lane].map(|bits| (Apart, t.flight_places, bits));
@@ -373,7 +375,7 @@ impl Sheet<'_> {
     }
 
     /// A memory of lines, or a cache for each of the two trees.
-    fn memories(&self, lines: &Lines) -> Entity {
+    fn memory_of(&self, lines: &Lines) -> Entity {
         let (place, words) = (lines.line_address_bits, lines.words_per_line);
         // The last word ends with the line.
         let last = lines.line_bits - (words - 1) * lines.word_bits;
@@ -446,7 +448,7 @@ impl Sheet<'_> {
         let chains = [(3, 32), (2, mark), (2, 4), (1, 3)];
         let memory = (Apart, 8, values.numbers.report_high + 1);
         let answer = self.entity("engine_number_answer", 198 + 2 * mark, &[memory], &chains, self.of([266, 635, 195]));
-        let mut parts = vec![answer, command, self.memories(&values.memory.memories[1])];
+        let mut parts = vec![answer, command, self.memory_of(&values.memory.memories[1])];
         parts.extend(values.axi.then(|| self.read_master()));
         Entity { parts, ..self.entity(NAME, u32::from(values.unit.paced), &[], &[], 33) }
     }

@@ -227,7 +227,7 @@ macro_rules! entities {
         struct $name<'a> {
             header: &'a [String],
             prefix: &'a Prefix,
-            // Of no use to an entity that only joins others.
+            // Traverse only joins others and has no number.
             #[allow(dead_code)]
             e: &'a Values,
         }
