@@ -15,9 +15,9 @@
 -- wait for their blocks, so that those of the oldest do not wait behind many.
 --
 -- The lane is chosen in one clock (engine_issue) and its pair popped in a later one, and what frees room is counted a clock late.
--- Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted,
--- while a record has sent three of its four: so the lane is chosen only if there are 3 places more than the rule asks for. Right
--- behind a pop of its own the lane pops only if there is plenty.
+-- Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted, while a record has sent three of its four:
+-- so the lane is chosen only if there are 3 places more than the rule asks for. Right behind a pop of its own the lane pops only if
+-- there is plenty.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;

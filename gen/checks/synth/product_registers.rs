@@ -286,8 +286,7 @@ fn in_front(module: &Module) -> HashMap<u64, (Bit, Bit)> {
     let found = |cell: &Cell| {
         let controls = [ECP5.clock, ECP5.enable, ECP5.reset].map(|port| cell.bit(port));
         let (output, data, clock) = (cell.bit("Q")?.net()?, cell.bit(ECP5.data)?, controls[0]?);
-        // A register begins with zeros.
-        let is_direct = data.net().map_or(data != ALWAYS, |net| direct.contains(&net));
+        let is_direct = data.net().is_none_or(|net| direct.contains(&net));
         (is_direct && ECP5.can_do(cell, controls)).then_some((output, (data, clock)))
     };
     flip_flops().filter_map(found).collect()
@@ -301,6 +300,7 @@ fn operand(cell: &Cell, operand: &str, in_front: &HashMap<u64, (Bit, Bit)>) -> O
     let (_, clock) = *bits.iter().find_map(|(_, bit)| in_front.get(&bit.net()?))?;
     let own = cell.bit("CLK0").filter(|bit| bit.net().is_some());
     let moved = |(port, bit): (String, Bit)| match bit.net() {
+        // Behind a register a one would be a zero at the start.
         None => (bit != ALWAYS).then_some((port, bit, None)),
         Some(net) => in_front.get(&net).filter(|found| found.1 == clock).map(|found| (port, found.0, Some(net))),
     };
@@ -529,6 +529,7 @@ mod tests {
             pack_operands(&mut netlist)
         };
         assert_eq!(with(&|_| ()), 2);
+        assert_eq!(with(&|a| a.connect("DI", ALWAYS)), 2, "a one that is a zero at the start, as in the multiplier");
         assert_eq!(with(&|a| a.set("REGSET", "SET")), 0);
         assert_eq!(with(&|a| a.connect("CE", Bit::Net(10))), 0);
         assert_eq!(with(&|a| a.connect("CLK", Bit::Net(10))), 0, "one clock for both operands");
