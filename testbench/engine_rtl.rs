@@ -6,7 +6,7 @@ mod overlap;
 mod several;
 
 use crate::extent::{full, in_full, share};
-use crate::tools::{Ghdl, ghdl, ghdl_of_long_runs, replaced};
+use crate::tools::{Ghdl, ghdl, ghdl_of_long_runs};
 use efsat::artefact::{FileSet, Prefix};
 use efsat::directions::Directions;
 use efsat::engine::artefact::samples::{cuboid, hills, turn};
@@ -74,25 +74,11 @@ impl Bench {
         Self { ghdl, design: Rc::new(design), files }
     }
 
-    /// The same with a change of a file, from one text to another: it is analysed, and those that depend on it.
-    fn with(&self, (name, from, to): (&str, &str, &str)) -> Self {
-        let mut files = self.files.clone();
-        files.insert(name, replaced(files.get(name).unwrap(), from, to));
-        let other = Self { ghdl: self.ghdl.copy(), design: self.design.clone(), files };
-        other.ghdl.write(name, other.files.get(name).unwrap());
-        let mut changed: Vec<&str> = vec![];
-        for file in other.files.get("files.txt").unwrap().lines() {
-            let uses = |unit: &&str| {
-                let unit = unit.trim_end_matches(".vhd");
-                other.files.get(file).unwrap().contains(&format!("work.{unit}"))
-            };
-            if file == name || changed.iter().any(uses) {
-                changed.push(file);
-            }
-        }
-        assert!(!changed.is_empty(), "{name}: no file of the list");
-        other.ghdl.analyse(&changed);
-        other
+    /// The same with a change of a file, from one text to another.
+    fn with(&self, change: (&str, &str, &str)) -> Self {
+        let list: Vec<&str> = self.files.get("files.txt").unwrap().lines().collect();
+        let (ghdl, files) = self.ghdl.changed(&self.files, &list, change);
+        Self { ghdl, design: self.design.clone(), files }
     }
 
     /// Runs the testbench; what it says.

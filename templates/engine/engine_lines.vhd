@@ -52,17 +52,7 @@ entity {{ prefix }}engine_lines is
     block_reads : out std_logic_vector(1 downto 0);
     triangle_reads : out std_logic_vector(1 downto 0);
     words_read : out std_logic{% if e.axi %};
-    m_axi_araddr : out std_logic_vector(31 downto 0);
-    m_axi_arlen : out std_logic_vector(7 downto 0);
-    m_axi_arsize : out std_logic_vector(2 downto 0);
-    m_axi_arburst : out std_logic_vector(1 downto 0);
-    m_axi_arvalid : out std_logic;
-    m_axi_arready : in std_logic;
-    m_axi_rdata : in std_logic_vector(memory_width - 1 downto 0);
-    m_axi_rresp : in std_logic_vector(1 downto 0);
-    m_axi_rlast : in std_logic;
-    m_axi_rvalid : in std_logic;
-    m_axi_rready : out std_logic{% endif %}
+{% include "engine/burst_ports.vhd" %}{% endif %}
   );
 end entity {{ prefix }}engine_lines;
 
@@ -185,17 +175,6 @@ begin
       draining => draining,
       silent => silent,
       word_read => words_read,
-      m_axi_araddr => m_axi_araddr,
-      m_axi_arlen => m_axi_arlen,
-      m_axi_arsize => m_axi_arsize,
-      m_axi_arburst => m_axi_arburst,
-      m_axi_arvalid => m_axi_arvalid,
-      m_axi_arready => m_axi_arready,
-      m_axi_rdata => m_axi_rdata,
-      m_axi_rresp => m_axi_rresp,
-      m_axi_rlast => m_axi_rlast,
-      m_axi_rvalid => m_axi_rvalid,
-      m_axi_rready => m_axi_rready
-    );
+{% include "engine/burst_map.vhd" %}
 {%- endif %}
 end architecture rtl;

@@ -1,6 +1,7 @@
 //! GHDL in a folder: files are written, analysed, elaborated and run.
 
-use super::skip;
+use super::{replaced, skip};
+use efsat::artefact::FileSet;
 use efsat_hardware::tools::{self, Tool};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -92,6 +93,28 @@ impl Ghdl {
         let copy = Self::new(self.tool);
         self.copy_to(&copy.dir);
         copy
+    }
+
+    /// A copy in which a file is changed from one text to another, and the files as they are there: of a list, in which files come
+    /// behind those that they depend on, it is analysed, and what depends on it.
+    pub fn changed(&self, files: &FileSet, list: &[&str], (name, from, to): (&str, &str, &str)) -> (Self, FileSet) {
+        let mut files = files.clone();
+        files.insert(name, replaced(files.get(name).unwrap(), from, to));
+        let copy = self.copy();
+        copy.write(name, files.get(name).unwrap());
+        let mut changed: Vec<&str> = vec![];
+        for file in list {
+            let uses = |unit: &&str| {
+                let unit = unit.trim_end_matches(".vhd");
+                files.get(file).unwrap().contains(&format!("work.{unit}"))
+            };
+            if *file == name || changed.iter().any(uses) {
+                changed.push(file);
+            }
+        }
+        assert!(!changed.is_empty(), "{name}: no file of the list");
+        copy.analyse(&changed);
+        (copy, files)
     }
 
     fn copy_to(&self, dir: &Path) {

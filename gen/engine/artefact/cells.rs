@@ -76,6 +76,10 @@ impl Entity {
         self.own + self.parts.iter().map(|part| part.whole() * part.instances).sum()
     }
 
+    fn holding(self, parts: Vec<Self>) -> Self {
+        Self { parts, ..self }
+    }
+
     fn times(self, instances: u32) -> Self {
         Self { instances: instances.into(), ..self }
     }
@@ -206,14 +210,14 @@ impl Sheet<'_> {
         let luts = 40 + self.design.params.lane_bits() * self.of([15, 24, 16]);
         let around = [self.answer(), self.command(), self.control(), self.lines(), self.pairs(), self.queries()];
         let parts = around.into_iter().chain([self.traverse(), self.triangles()]).collect();
-        Entity { parts, ..self.entity(NAME, 0, &[], &[], luts) }
+        self.entity(NAME, 0, &[], &[], luts).holding(parts)
     }
 
     /// What both sides have to take and to give.
     fn lines(&self) -> Entity {
         let memories = self.values.memory.memories.iter().map(|lines| self.memory_of(lines));
         let parts = memories.chain(self.values.axi.then(|| self.read_master())).collect();
-        Entity { parts, ..self.entity("engine_lines", 0, &[], &[], 7 * u32::from(self.values.axi)) }
+        self.entity("engine_lines", 0, &[], &[], 7 * u32::from(self.values.axi)).holding(parts)
     }
 
     /// Corners come from memory or from a packet; numbers go past the unit.
@@ -253,7 +257,7 @@ impl Sheet<'_> {
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
         let flip_flops = lanes * (24 + 5 + 12) + 4 * lane_bits + 13 + 6 * axi;
         let luts = self.of([0, 370, 0]) + lanes * self.of([165, 130, 122]) + self.chosen(24 + 5);
-        Entity { parts: vec![self.check()], ..self.entity("engine_control", flip_flops, &[], &[], luts) }
+        self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.check()])
     }
 
     /// Bases, counts and a limit; what caches have is compared with what a query is about.
@@ -281,7 +285,7 @@ impl Sheet<'_> {
     /// Registers of the lanes that end.
     fn traverse(&self) -> Entity {
         let parts = vec![self.issue(), self.flight(), self.survivors()];
-        Entity { parts, ..self.entity("engine_traverse", self.design.params.queries, &[], &[], 0) }
+        self.entity("engine_traverse", self.design.params.queries, &[], &[], 0).holding(parts)
     }
 
     /// Room of both kinds, pairs in flight and expansions that are left.
@@ -291,7 +295,7 @@ impl Sheet<'_> {
         let sums = self.of([3, 2, 3]);
         let chains = [(1, 32), (sums, t.room_bits), (sums, t.pair_room_bits), (2, t.flight_bits + 2)];
         let luts = (13 * t.room_bits + 14 * t.pair_room_bits) / 3 + 4 * (t.flight_bits + 2) + t.entry_bits;
-        Entity { parts: vec![self.stack()], ..self.entity("engine_lane", flip_flops, &[], &chains, luts + 80) }
+        self.entity("engine_lane", flip_flops, &[], &chains, luts + 80).holding(vec![self.stack()])
     }
 
     /// The lane that was chosen, the pair whose blocks are asked for, and what flies.
@@ -303,7 +307,7 @@ impl Sheet<'_> {
         let bits = t.entry_bits + 16;
         // The top of a stack is chosen among more lanes than a table has inputs for.
         let luts = self.of([148, 171, 120]) + self.chosen(bits) + u32::from(lanes > 4) * 7 * bits / 2;
-        Entity { parts: vec![self.lane().times(lanes)], ..self.entity("engine_issue", flip_flops, &[], &chains, luts) }
+        self.entity("engine_issue", flip_flops, &[], &chains, luts).holding(vec![self.lane().times(lanes)])
     }
 
     /// Places in flight, and the children of the blocks.
@@ -316,7 +320,7 @@ impl Sheet<'_> {
         let memories =
             [t.entry_bits, met, lane, lane, self.read_bits(128, 132)].map(|bits| (Apart, t.flight_places, bits));
         let own = self.entity("engine_flight", flip_flops, &memories, &[(4, t.flight_bits)], 60);
-        Entity { parts: vec![self.children().times(2)], ..own }
+        own.holding(vec![self.children().times(2)])
     }
 
     /// Both queues of survivors, and those that are pushed and sent.
@@ -424,15 +428,14 @@ impl Sheet<'_> {
         let dispatch = self.of([165, 210, 156]) + 24 * count;
         let compared = self.of([5, 5, 8]);
         let dispatch = self.entity("engines_dispatch", 179 + 10 * count, &[], &[(count, compared)], dispatch);
-        let mut parts =
-            vec![dispatch, self.engine().times(count), Entity { parts: vec![queue.times(count)], ..gather }];
+        let mut parts = vec![dispatch, self.engine().times(count), gather.holding(vec![queue.times(count)])];
         if !engines.own_ports {
             let luts = self.of([21, 40, 0]) + count * self.of([32, 32, 29]);
             let memory = (Apart, engines.bursts, count + 4);
             let chains = [(2, engines.burst_bits), (1, engines.burst_bits + 1), (1, 4)];
             parts.push(self.entity("engines_memory", 63 + params.memory_width + 3 * count, &[memory], &chains, luts));
         }
-        Entity { parts, ..self.entity(self.design.top(), 0, &[], &[], 1) }
+        self.entity(self.design.top(), 0, &[], &[], 1).holding(parts)
     }
 
     fn by_number(&self) -> Entity {
@@ -450,6 +453,6 @@ impl Sheet<'_> {
         let answer = self.entity("engine_number_answer", 198 + 2 * mark, &[memory], &chains, self.of([266, 635, 195]));
         let mut parts = vec![answer, command, self.memory_of(&values.memory.memories[1])];
         parts.extend(values.axi.then(|| self.read_master()));
-        Entity { parts, ..self.entity(NAME, u32::from(values.unit.paced), &[], &[], 33) }
+        self.entity(NAME, u32::from(values.unit.paced), &[], &[], 33).holding(parts)
     }
 }
