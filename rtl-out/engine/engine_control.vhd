@@ -87,13 +87,12 @@ architecture rtl of engine_control is
   signal has_pose : flags := (others => '0');
   signal admitted : flags := (others => '0');  -- checked, and started if it is a query that can be
   signal started_now : flags := (others => '0');
-  signal stopped : flags := (others => '0');
+  signal stopped : flags;  -- a stop was for it
   signal shorts : flags := (others => '0');
   type lane_reasons is array (0 to lanes - 1) of std_logic_vector(4 downto 0);
   signal reasons : lane_reasons := (others => fine);
   signal sound : flags := (others => '0');  -- the reason is fine
-  type lane_numbers is array (0 to lanes - 1) of std_logic_vector(23 downto 0);
-  signal numbers : lane_numbers := (others => (others => '0'));
+  signal not_reported : flags;  -- lanes with a query that is not reported yet
   -- What follows from these, each in a register of its own, because it is read in many places.
   signal running_now : std_logic := '0';
   signal ending_now : flags := (others => '1');
@@ -108,15 +107,6 @@ architecture rtl of engine_control is
   signal job_due : std_logic;
   signal admits : std_logic;  -- a query is to be checked
   signal checks : unsigned(1 downto 0) := "00";
-  signal stopped_waiting : std_logic := '0';  -- the job that waits is to be stopped
-  -- A stop: numbers are compared in one clock, and looked for in the next; then the oldest query that was found is stopped.
-  signal stop_due : std_logic := '0';
-  signal same_job : std_logic;
-  signal stop_job : std_logic := '0';  -- the job that waits has its number
-  signal stop_number_of : flags := (others => '0');  -- lanes whose number it is
-  signal stop_found : flags := (others => '0');  -- lanes with such a query
-  signal stop_found_job : std_logic := '0';
-  signal stops : flags;  -- the lane whose query is stopped
   signal started_pulse : std_logic := '0';
   signal started_lane : lane_number := (others => '0');
   signal load_check : std_logic;
@@ -129,6 +119,7 @@ architecture rtl of engine_control is
 
   -- The end of the oldest query.
   signal reporting : std_logic := '0';
+  signal retires : std_logic;
   signal reads_before : std_logic := '0';
   signal error_before : std_logic := '0';
   signal silent_before : std_logic := '0';
@@ -147,11 +138,11 @@ begin
   dropping <= drops(to_integer(oldest_lane));
   start <= started_pulse;
   start_lane <= std_logic_vector(started_lane);
-  retire <= reporting and report_done;
+  retire <= retires;
+  retires <= reporting and report_done;
   report_due <= reporting;
   short <= shorts(to_integer(oldest_lane));
   reason <= reasons(to_integer(oldest_lane));
-  number <= numbers(to_integer(oldest_lane));
   abort <= aborting;
   flush <= flush_now;
 
@@ -161,43 +152,30 @@ begin
     job_valid and job_query and asked(to_integer(oldest_lane)) and not occupied(to_integer(next_lane));
   admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
-  -- Of those with its number a stop ends the oldest that is not reported.
-  same_job <= job_valid and job_query when job_number = stop_number else '0';
-  match : for lane in 0 to lanes - 1 generate
-    signal earlier : flags;  -- older queries with that number
-  begin
-    counting(lane) <= occupied(lane) and asked(lane) when reporting = '0' or oldest_lane /= lane else '0';
-    by_age : for other in 0 to lanes - 1 generate
-      earlier(other) <= stop_found(other) when other - oldest_lane < lane - oldest_lane else '0';
-    end generate by_age;
-    stops(lane) <= stop_found(lane) when earlier = no_lane else '0';
-  end generate match;
+  by_lane : for lane in 0 to lanes - 1 generate
+    not_reported(lane) <= occupied(lane) and asked(lane) when reporting = '0' or oldest_lane /= lane else '0';
+  end generate by_lane;
+  counting <= not_reported;
 
-  compare : process (clk)
-  begin
-    if rising_edge(clk) then
-      stop_due <= stop and not reset and not forget;
-      stop_job <= same_job;
-      stop_found_job <= '0';
-      if phase /= take_state then
-        stop_found_job <= stop_due and stop_job and job_valid and not reset and not forget;
-      end if;
-      for lane in 0 to lanes - 1 loop
-        stop_number_of(lane) <= '0';
-        if phase = take_state and next_lane = lane then
-          stop_number_of(lane) <= same_job;
-        elsif numbers(lane) = stop_number then
-          stop_number_of(lane) <= '1';
-        end if;
-        stop_found(lane) <= '0';
-        if phase = take_state and next_lane = lane then
-          stop_found(lane) <= stop_due and stop_job and not reset and not forget;
-        elsif reporting = '0' or oldest_lane /= lane then
-          stop_found(lane) <= stop_due and stop_number_of(lane) and asked(lane) and occupied(lane) and not reset and not forget;
-        end if;
-      end loop;
-    end if;
-  end process compare;
+  stops : entity work.engine_stop
+    port map (
+      clk => clk,
+      reset => reset,
+      forget => forget,
+      forget_number => forget_number,
+      job_valid => job_valid,
+      job_query => job_query,
+      job_number => job_number,
+      job_taken => taken,
+      job_lane => next_lane,
+      stop => stop,
+      stop_number => stop_number,
+      oldest => oldest_lane,
+      counting => not_reported,
+      retire => retires,
+      number => number,
+      stopped => stopped
+    );
 
   -- ===== Checks =====
   load_check <= '1' when phase = check_state and checks = "01" else '0';
@@ -240,16 +218,12 @@ begin
       old := to_integer(oldest_lane);
       started_pulse <= '0';
       started_lane <= admitted_lane;
-      idle_is_old <= taken or (reporting and report_done);
+      idle_is_old <= taken or retires;
       reads_before <= reads;
       error_before <= memory_error;
       silent_before <= memory_silent;
       flush_now <= '0';
       aborting <= '0';
-      stopped <= stopped or stops;
-      if stops = no_lane then
-        stopped_waiting <= stopped_waiting or stop_found_job;
-      end if;
 
       -- Jobs, and the query that is admitted next.
       if phase = waiting_state then
@@ -273,18 +247,12 @@ begin
             if job_reason = fine then
               now_sound(lane) := '1';
             end if;
-            numbers(lane) <= job_number;
             shorts(lane) <= job_short;
             asked(lane) <= job_query;
             has_pose(lane) <= job_posed;
-            stopped(lane) <= stopped_waiting;
-            if stops = no_lane then
-              stopped(lane) <= stopped_waiting or stop_found_job;
-            end if;
             admitted(lane) <= not job_query;
           end if;
         end loop;
-        stopped_waiting <= '0';
         if job_query = '0' then
           admitted_lane <= next_lane + 1;
         end if;
@@ -370,7 +338,6 @@ begin
               now_started(lane) := '0';
               admitted(lane) <= '0';
               has_pose(lane) <= '0';
-              stopped(lane) <= '0';
             end if;
           end loop;
         end if;
@@ -412,8 +379,6 @@ begin
         now_reporting := '0';
         now_occupied := no_lane;
         now_started := no_lane;
-        stopped <= no_lane;
-        stopped_waiting <= '0';
         admitted <= no_lane;
         has_pose <= no_lane;
         started_pulse <= '0';
@@ -431,7 +396,6 @@ begin
               asked(lane) <= '0';
               admitted(lane) <= '1';
               shorts(lane) <= '0';
-              numbers(lane) <= forget_number;
               now_reasons(lane) := reason_reset;
               now_sound(lane) := '0';
             end if;

@@ -501,9 +501,9 @@ fn jobs_are_checked_and_run_and_reported() {
         ("started_pulse = '0' and idle_is_old = '0' then", "started_pulse = '0' then"),
         ("if admitted_lane = oldest_lane then", "if admitted_lane = admitted_lane then"),
         // A stop is for whatever runs, for all of a number, or for nobody who waits; a contact for all.
-        ("elsif numbers(lane) = stop_number then", "else"),
-        ("stops(lane) <= stop_found(lane) when earlier = no_lane else '0';", "stops(lane) <= stop_found(lane);"),
-        ("stopped(lane) <= stopped_waiting or stop_found_job;", "stopped(lane) <= stop_found_job;"),
+        ("if numbers(lane) = stop_number then", "if true then"),
+        ("first(lane) <= found(lane) when earlier = no_lane else '0';", "first(lane) <= found(lane);"),
+        ("job_stopped := waiting_stopped or found_job;", "job_stopped := found_job;"),
         ("elsif contact = '1' and oldest_lane = lane then", "elsif contact = '1' then"),
         // What memory owes is not waited for, or without end; a query ends that does not read; the others go on.
         ("if memory_draining = '1' then", "if memory_draining = '1' and flushing = '1' then"),
@@ -517,5 +517,5 @@ fn jobs_are_checked_and_run_and_reported() {
     ];
     let design =
         EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());
-    tried_with(&design.unwrap(), "engine_control", &["engine_check"], &changes, control);
+    tried_with(&design.unwrap(), "engine_control", &["engine_check", "engine_stop"], &changes, control);
 }

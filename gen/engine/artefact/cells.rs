@@ -255,9 +255,9 @@ impl Sheet<'_> {
     fn control(&self) -> Entity {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
-        let flip_flops = lanes * (24 + 5 + 12) + 4 * lane_bits + 13 + 6 * axi;
-        let luts = self.of([0, 370, 0]) + lanes * self.of([165, 130, 122]) + self.chosen(24 + 5);
-        self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.check()])
+        let flip_flops = lanes * (5 + 9) + 4 * lane_bits + 9 + 6 * axi;
+        let luts = self.of([14, 150, 27]) + lanes * self.of([75, 80, 55]) + self.chosen(5);
+        self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.check(), self.stop()])
     }
 
     /// Bases, counts and a limit; what caches have is compared with what a query is about.
@@ -266,6 +266,13 @@ impl Sheet<'_> {
         let luts = self.of([135, 20, 24]) + axi * self.of([176, 116, 245]);
         let ends = if self.fabric.chains == Chains::Complete { (4, 32) } else { (1, 32) };
         self.entity("engine_check", 9 * 32 + 5 + 5 * axi, &[], &[(4, 33), ends], luts)
+    }
+
+    /// Numbers, each compared with that of a stop.
+    fn stop(&self) -> Entity {
+        let lanes = self.design.params.queries;
+        let luts = self.of([44, 60, 37]) + lanes * self.of([50, 80, 45]) + self.chosen(24);
+        self.entity("engine_stop", lanes * (24 + 3) + 4, &[], &[], luts)
     }
 
     /// The words of queries for each of their readers; entries of the matrix are cut off and saturated.

@@ -255,6 +255,7 @@ entities! {
     Command "engine/engine_command.vhd";
     Triangles "engine/engine_triangles.vhd";
     Check "engine/engine_check.vhd";
+    Stop "engine/engine_stop.vhd";
     Control "engine/engine_control.vhd";
     ReadMaster "engine/engine_read_master.vhd";
     LinesOf "engine/engine_lines.vhd";
@@ -337,6 +338,7 @@ pub fn engine_files(
     add("engine_command", Command::text(&header, prefix, &values));
     add("engine_triangles", Triangles::text(&header, prefix, &values));
     add("engine_check", Check::text(&header, prefix, &values));
+    add("engine_stop", Stop::text(&header, prefix, &values));
     add("engine_control", Control::text(&header, prefix, &values));
     add("engine_lines", LinesOf::text(&header, prefix, &values));
     let mut around = top.clone();
