@@ -396,7 +396,7 @@ fn builtin_agrees_with_the_reference_model_in_every_option_value() {
 
 #[test]
 fn builtin_agrees_with_the_reference_model_in_combinations() {
-    let cases = combined(if full() { 2000 } else { 80 });
+    let cases = combined(if full() { 2000 } else { 40 });
     all_hold(&cases, |name, p| agrees(name, p, 100, Simulator::Builtin, true).map(|_| ()));
 }
 
@@ -452,7 +452,7 @@ fn traced(p: &Params, design: &Design, stimulus: &Stimulus) -> Vec<(usize, usize
 
 #[test]
 fn graph_equals_reference_model_in_every_inner_signal() {
-    let cases = share(7, [varied(&Params::default()), combined(20), others_than_axes()].concat());
+    let cases = share(14, [varied(&Params::default()), combined(20), others_than_axes()].concat());
     cases.par_iter().for_each(|(name, p)| {
         let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{name}: {e}"));
         let golden = Golden::new(p);

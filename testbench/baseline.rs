@@ -3,7 +3,7 @@
 //!
 //! `baseline.txt` has a line for each parameter set: what verdicts it gave how often, then hashes of what it was given, of its
 //! answers, and of each family of signals, all of the reference model. The reference model is asked again for every parameter
-//! set, and a design with probes is run in the built-in simulator for every other one unless everything is asked for.
+//! set, and a design with probes is run in the built-in simulator for every sixth unless everything is asked for.
 //!
 //! EFSAT_BASELINE=write makes the file anew. To be done at commit 269ec08, with this test put there, and at no other: a
 //! baseline made by what it is to check says nothing.
@@ -28,7 +28,7 @@ const RECORDED: &str = include_str!("baseline.txt");
 const PAIRS: [usize; 2] = [128, 256];
 
 /// Of so many parameter sets one is simulated, unless all are.
-const SIMULATED: usize = 2;
+const SIMULATED: usize = 6;
 
 /// Families of signals in the order of the data flow: the column, and how the names of its signals begin.
 const FAMILIES: [(&str, &str); 9] = [

@@ -35,6 +35,7 @@ mod progress;
 mod proofs;
 mod protocol;
 mod readers;
+mod recorded;
 mod registers;
 mod reported;
 mod research;

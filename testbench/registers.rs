@@ -1,7 +1,7 @@
 //! The registers behind AXI4-Lite in GHDL: the generated testbench around units and engines, and mistakes that it must notice.
 
 use crate::engine_rtl::{analysed, axi, small};
-use crate::extent::share;
+use crate::extent::{full, share};
 use crate::tools::program::{refuses, succeeds};
 use crate::tools::{CHECKED, Ghdl, compiles_everywhere, ghdl_of_long_runs, run};
 use efsat::artefact::{DesignFilesError, FileSet, Packaging, Prefix, design_files_with};
@@ -66,7 +66,7 @@ fn the_unit_answers_a_processor_as_the_reference_model() {
     let wrong: Vec<String> = share(4, [tiny(), Params { tag_width: 34, ..wide }, bare, determinants])
         .par_iter()
         .filter_map(|params| {
-            let report = said(&bench(ghdl_of_long_runs(), &unit(params))?, &[]);
+            let report = said(&bench(ghdl_of_long_runs(), &unit(params))?, passes());
             (!fine(&report)).then(|| format!("{}: {report}", params.command_line()))
         })
         .collect();
@@ -82,7 +82,7 @@ fn the_engine_answers_a_processor_as_the_reference_model() {
         .filter_map(|(params, by_number)| {
             let make = if *by_number { EngineDesign::by_number } else { EngineDesign::new };
             let design = make(params, &small()).unwrap();
-            let report = said(&bench(ghdl_of_long_runs(), &engine(&design))?, &[]);
+            let report = said(&bench(ghdl_of_long_runs(), &engine(&design))?, passes());
             (!fine(&report)).then(|| format!("{}: {report}", design.command_line()))
         })
         .collect();
@@ -91,6 +91,10 @@ fn the_engine_answers_a_processor_as_the_reference_model() {
 
 /// One pass, and an end soon after nothing comes any more.
 const PASS: [&str; 2] = ["-gpasses=1", "-gpatience=2000"];
+
+fn passes() -> &'static [&'static str] {
+    if full() { &[] } else { &PASS }
+}
 
 /// Changes of the registers around the unit.
 const MISTAKES: [(&str, &str); 24] = [

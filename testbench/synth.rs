@@ -136,7 +136,7 @@ fn smallest_on(device: &str) -> Params {
 
 #[test]
 fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
-    for device in ["lfe5u-85-6", "lifcl-40-9"] {
+    for device in share(2, ["lfe5u-85-6", "lifcl-40-9"]) {
         let Some(report) = report(&smallest_on(device), 0, None) else { return };
         let (predicted, cells) = (report.top.predicted, report.top.actual.unwrap());
         let multipliers = predicted.multipliers;

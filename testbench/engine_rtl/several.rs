@@ -57,8 +57,9 @@ fn several_engines_answer_as_one() {
     let quick = &["-gpasses=1"];
     bench.passes(vectors.text(), quick);
     bench.notices(share(3, changes), &[vectors.text()], quick);
-    let own_ports = EngineParams { memory_ports: MemoryPorts::Each, ..engines(2) };
-    Bench::new(ghdl, &own_ports, &small()).passes(vectors.text(), quick);
+    for own_ports in in_full([EngineParams { memory_ports: MemoryPorts::Each, ..engines(2) }]) {
+        Bench::new(ghdl, &own_ports, &small()).passes(vectors.text(), quick);
+    }
 }
 
 /// A mesh is written over: the one query that does not keep the caches empties those of both engines.
@@ -96,7 +97,7 @@ fn a_fault_of_memory_is_for_the_engine_that_has_asked() {
     let options = ["-gpasses=1", "-glatency_least=5", "-glatency_most=40", "-ghang=4000"];
     let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
     let query = query(&EngineVectors::new(&bench.design, &images_of), &images);
-    for kind in 1..=5 {
+    for kind in share(2, 1..=5) {
         let mut vectors = EngineVectors::new(&bench.design, &images_of);
         // The other engine waits for blocks of B when this one of A, which is not the first, comes.
         let itself = (&images[1], vectors.side(1));

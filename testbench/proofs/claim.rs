@@ -1,9 +1,10 @@
 //! A claim about a unit, as a Verilog module: the unit, free true numbers, what is given and what is shown.
 
 use super::certificate::{Formula, Tools};
-use super::tools::{self, Answer, Outcome};
+use super::tools::{self, Answer};
 use super::unit::{AROUND, Mistake, Mutant, Subject, Wire};
 use crate::extent::{full, share};
+use crate::recorded::Outcome;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -37,8 +38,8 @@ pub struct Claim {
 pub struct Row {
     /// Unit, widths and property.
     pub claim: [String; 3],
-    /// Seconds of Yosys' processor time for the proof, mutants apart.
-    pub seconds: f64,
+    /// Seconds of Yosys' processor time for the proof, mutants apart; none if it was proved before.
+    pub seconds: Option<f64>,
     /// `proved`, or what went wrong.
     pub verdict: &'static str,
     /// Size and times of the certificate, if one was asked for.
@@ -221,15 +222,20 @@ impl Claim {
         )
     }
 
-    fn ask(&self, files: &[(String, String)]) -> Answer {
+    fn solved(&self, files: &[(String, String)]) -> Answer {
         let paths = |wires: &[Wire]| wires.iter().map(|w| w.path.clone()).collect::<Vec<_>>();
         tools::solve(&tools::verilog(files, AROUND), AROUND, &self.verilog(), &paths(&self.seen), &paths(&self.cut))
+    }
+
+    fn ask(&self, files: &[(String, String)]) -> Answer {
+        let looked_at: Vec<&str> = self.seen.iter().chain(&self.cut).map(|wire| wire.path.as_str()).collect();
+        tools::answer(files, &[&self.verilog(), &looked_at.join(" ")], || self.solved(files))
     }
 
     /// Asks whether the claim holds of the unit, and whether it does of the first of its mutants.
     pub fn answers(&self) -> [Answer; 2] {
         let wrong = self.subject.mutated(&self.mutants[0]).expect("something to mutate");
-        [self.ask(&self.subject.files), self.ask(&wrong)]
+        [self.solved(&self.subject.files), self.solved(&wrong)]
     }
 
     /// Proves the claim of the unit and refutes it of every mutant.

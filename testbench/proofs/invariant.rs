@@ -91,7 +91,10 @@ impl Invariant {
     fn ask(&self, files: &[(String, String)]) -> Answer {
         let seen: Vec<String> = self.seen.iter().map(|(name, _)| name.clone()).collect();
         let words: Vec<String> = self.words.iter().map(|(name, ..)| format!("{name}*")).collect();
-        tools::induce(&tools::verilog(files, self.entity), self.entity, &self.verilog(), &seen, &words)
+        let claim = self.verilog();
+        tools::answer(files, &[&claim, &seen.join(" "), &words.join(" ")], || {
+            tools::induce(&tools::verilog(files, self.entity), self.entity, &claim, &seen, &words)
+        })
     }
 
     /// Proves the claim, and sees that the proof of no wrong text goes through.

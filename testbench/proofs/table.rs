@@ -26,7 +26,8 @@ pub fn text(title: &str, rows: &[Row]) -> String {
             [refuted, tried] => format!("{refuted} of {tried} refuted"),
         };
         let certificate = if row.certificate.is_empty() { String::new() } else { format!("; {}", row.certificate) };
-        let rest = format!("{:7.1}  {}  {mutants}{certificate}", row.seconds, row.verdict);
+        let seconds = row.seconds.map_or("before".to_owned(), |seconds| format!("{seconds:.1}"));
+        let rest = format!("{seconds:>7}  {}  {mutants}{certificate}", row.verdict);
         text += &line(&row.claim, &rest);
     }
     text

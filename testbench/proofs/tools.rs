@@ -2,6 +2,7 @@
 //! SAT solver.
 
 use super::certificate::Formula;
+use crate::recorded::{Outcome, Question};
 use crate::tools::{has, made, run};
 use efsat::evidence::synth::verilog;
 use std::fs;
@@ -18,23 +19,12 @@ const WIRES: &str = "module \\$dff (CLK, D, Q);
 endmodule
 ";
 
-/// What the solver says of a claim.
-#[derive(Debug)]
-pub enum Outcome {
-    /// There is no counterexample.
-    Proved,
-    /// There is one: the inputs, as Yosys prints them.
-    Refuted(String),
-    /// Neither, in the time allowed.
-    Undecided,
-}
-
 /// The answer to a claim.
 pub struct Answer {
     pub outcome: Outcome,
-    /// Seconds of Yosys' processor time, which other load does not change much.
-    pub seconds: f64,
-    /// What was asked; none of an induction, for which Yosys writes another formula than it solves.
+    /// Seconds of Yosys' processor time, which other load does not change much; none if it was proved before.
+    pub seconds: Option<f64>,
+    /// What was asked; none of an induction, for which Yosys writes another formula than it solves, and of what was proved before.
     pub formula: Option<Formula>,
 }
 
@@ -49,6 +39,17 @@ pub fn verilog(files: &[(String, String)], top: &str) -> String {
     verilog::from_vhdl(files, top, dir.path()).unwrap_or_else(|e| panic!("{top}: {e}"))
 }
 
+/// The answer to a claim about VHDL, as it was before or as it is given now.
+pub fn answer(files: &[(String, String)], claim: &[&str], ask: impl FnOnce() -> Answer) -> Answer {
+    let question = Question::of(files, claim);
+    if let Some(outcome) = question.before() {
+        return Answer { outcome, seconds: None, formula: None };
+    }
+    let answer = ask();
+    question.keep(&answer.outcome);
+    answer
+}
+
 /// Runs Yosys on sources and a script, which may write a formula.
 fn yosys(sources: &[(&str, &str)], script: &str, outcome: impl Fn(&str) -> Outcome) -> Answer {
     let dir = TempDir::new().expect("a folder for Yosys");
@@ -57,7 +58,7 @@ fn yosys(sources: &[(&str, &str)], script: &str, outcome: impl Fn(&str) -> Outco
     }
     let text = run(dir.path(), "yosys", &["-s", "script.ys"]);
     let seconds = text.rsplit_once("CPU: user ").and_then(|(_, rest)| rest.split_once('s')?.0.parse().ok());
-    Answer { outcome: outcome(&text), seconds: seconds.unwrap_or(f64::NAN), formula: Formula::found(dir) }
+    Answer { outcome: outcome(&text), seconds: Some(seconds.unwrap_or(f64::NAN)), formula: Formula::found(dir) }
 }
 
 /// Asks whether the module `claim`, a claim about the clocked entity `top`, holds at the start, and after a clock if it held
