@@ -158,11 +158,7 @@ fn a_fault_of_memory_ends_one_packet() {
             "if closing = '0' then\n          closing_reason <= reason_silent;",
         ),
         // Pairs go on behind the fault.
-        (
-            "efsat_engine.vhd",
-            "unit_valid <= triangles_valid and not failing;",
-            "unit_valid <= triangles_valid and not memory_error;",
-        ),
+        ("efsat_engine.vhd", "unit_valid <= triangles_valid and not failing;", "unit_valid <= triangles_valid;"),
     ];
     let options = [&once[..], &["-gpatience=4500"]].concat();
     bench.notices(in_full(changes), &[&first, &late(27)], &options);

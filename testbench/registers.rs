@@ -66,7 +66,7 @@ fn the_unit_answers_a_processor_as_the_reference_model() {
     let wrong: Vec<String> = share(4, [tiny(), Params { tag_width: 34, ..wide }, bare, determinants])
         .par_iter()
         .filter_map(|params| {
-            let report = said(&bench(ghdl_of_long_runs(), &unit(params))?, passes());
+            let report = said(&bench(ghdl_of_long_runs(), &unit(params))?, if full() { &[] } else { &PASS });
             (!fine(&report)).then(|| format!("{}: {report}", params.command_line()))
         })
         .collect();
@@ -82,7 +82,7 @@ fn the_engine_answers_a_processor_as_the_reference_model() {
         .filter_map(|(params, by_number)| {
             let make = if *by_number { EngineDesign::by_number } else { EngineDesign::new };
             let design = make(params, &small()).unwrap();
-            let report = said(&bench(ghdl_of_long_runs(), &engine(&design))?, passes());
+            let report = said(&bench(ghdl_of_long_runs(), &engine(&design))?, if full() { &[] } else { &SHORT });
             (!fine(&report)).then(|| format!("{}: {report}", design.command_line()))
         })
         .collect();
@@ -92,9 +92,8 @@ fn the_engine_answers_a_processor_as_the_reference_model() {
 /// One pass, and an end soon after nothing comes any more.
 const PASS: [&str; 2] = ["-gpasses=1", "-gpatience=2000"];
 
-fn passes() -> &'static [&'static str] {
-    if full() { &[] } else { &PASS }
-}
+/// Memory answers at once, unless everything is asked for.
+const SHORT: [&str; 4] = [PASS[0], PASS[1], "-glatency_least=1", "-glatency_most=1"];
 
 /// Changes of the registers around the unit.
 const MISTAKES: [(&str, &str); 24] = [
