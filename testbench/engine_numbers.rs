@@ -81,7 +81,7 @@ fn answers_equal_the_reference_models_in_order() {
         (block_ram(), determinants(), if full() { &["-gpasses=3"] } else { &["-gpasses=1"] }),
         (axi(), small(), &[least, "-glatency_most=1"]),
         (axi(), determinants(), &["-glatency_least=5", most, "-gseed=7", "-gpasses=3"]),
-        (memory(128), Params { upper: Upper::Sticky, ..small() }, &[]),
+        (memory(128), Params { upper: Upper::Sticky, width: 10, transform_width: 26, ..Params::default() }, &[]),
         (memory(32), slow, &["-glatency_least=3", "-glatency_most=9"]),
         (EngineParams { axi_id_bits: 0, triangle_lines: 256, ..memory(512) }, determinants(), &[least, most]),
         (block_ram(), exact, &["-gpasses=1"]),
@@ -158,7 +158,11 @@ fn a_fault_of_memory_ends_one_packet() {
             "if closing = '0' then\n          closing_reason <= reason_silent;",
         ),
         // Pairs go on behind the fault.
-        ("efsat_engine.vhd", "unit_valid <= triangles_valid and not failing;", "unit_valid <= triangles_valid;"),
+        (
+            "efsat_engine.vhd",
+            "unit_valid <= triangles_valid and not failing;",
+            "unit_valid <= triangles_valid and not memory_error;",
+        ),
     ];
     let options = [&once[..], &["-gpatience=4500"]].concat();
     bench.notices(in_full(changes), &[&first, &late(27)], &options);

@@ -152,7 +152,7 @@ fn a_wrong_wrapper_is_noticed() {
         // Missing bytes are not noticed.
         (1, "whole <= '1' when s_axis_tkeep = all_bytes else '0';", "whole <= '1';"),
         // The tag of one bit less.
-        (1, "out_separated & out_tag &", "out_separated & '0' & out_tag(14 downto 0) &"),
+        (1, "flags_answer & out_tag &", "flags_answer & '0' & out_tag(14 downto 0) &"),
         // An answer is dropped although it was not taken.
         (2, "answer_taken <= answer_valid and m_axis_tready;", "answer_taken <= answer_valid;"),
         // TVALID waits for TREADY.

@@ -41,13 +41,13 @@ pub fn verilog(files: &[(String, String)], top: &str) -> String {
 
 /// The answer to a claim about VHDL, as it was before or as it is given now.
 pub fn answer(files: &[(String, String)], claim: &[&str], ask: impl FnOnce() -> Answer) -> Answer {
-    let question = Question::of(files, claim);
-    if let Some(outcome) = question.before() {
-        return Answer { outcome, seconds: None, formula: None };
-    }
-    let answer = ask();
-    question.keep(&answer.outcome);
-    answer
+    let (mut seconds, mut formula) = (None, None);
+    let outcome = Question::of(files, claim).answer(|| {
+        let answer = ask();
+        (seconds, formula) = (answer.seconds, answer.formula);
+        answer.outcome
+    });
+    Answer { outcome, seconds, formula }
 }
 
 /// Runs Yosys on sources and a script, which may write a formula.

@@ -123,7 +123,7 @@ fn classes((found, statistics): Contacts<ContactKind>) -> Contacts<Exact> {
 fn realigned_offsets_hold_what_is_in_them() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     let (mut compared, mut tight) = (0, 0);
-    for round in 0..21 {
+    for round in 0..42 {
         let scales = [1.0, 0.1, 1e-3, 1e-160, 1e150, 1e-300, 1e5];
         let (of_a, of_b) = (scales[round % 7], if round % 5 == 0 { scales[round % 4] } else { scales[round % 7] });
         let far = [0.0, 1e3, 1e9][round % 3];
