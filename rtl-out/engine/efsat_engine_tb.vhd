@@ -420,6 +420,8 @@ begin
     variable place : natural;
     variable stop_header : boolean;
     variable reset_header : boolean;
+    variable within_packet : boolean := false;
+    variable dropped : boolean := false;  -- a soft reset by the port came within the packet, which has no answer
     variable packets_reset : natural := 0;  -- packets in up to the last soft reset
 
     -- The next line of one of the kinds, its rest into found; more says whether there is one.
@@ -651,13 +653,15 @@ begin
           s_tdata <= (others => 'X');
           s_tkeep <= (others => 'X');
           s_tlast <= 'X';
-          if s_tlast = '1' and not stop_header then
+          within_packet := s_tlast = '0';
+          if s_tlast = '1' and not stop_header and not dropped then
             packets_in := packets_in + 1;
             if reset_header then
               packets_reset := packets_in;
             end if;
           end if;
           stop_header := s_tlast = '1' and stop_header;
+          dropped := dropped and within_packet;
         end if;
         soft_reset <= '0';
         rewrites <= '0';
@@ -681,6 +685,7 @@ begin
               soft_reset <= '1';
               packets_in := packets_in + 1;
               packets_reset := packets_in;
+              dropped := within_packet;
               find_line(source, "IDWSN", kind, word_line, more_words);
             elsif kind = 'W' then
               if packets_out = packets_in then

@@ -93,7 +93,9 @@ pub(super) fn samples(design: &EngineDesign) -> Result<String, ParamError> {
         vectors.numbers(&kept(0x100 + i, f64::from(i) / 8.0, pairs, i % 3 == 0));
     }
     // Pairs of triangles that are not there, as the first, in the midst, as the last one; the packet behind is as ever.
-    for (number, at, pair) in [(6, 0, [72, 0]), (7, 5, [0, 12]), (8, 9, [u32::MAX, 0]), (9, 3, [0, 1 << 31])] {
+    for (number, at, pair) in
+        [(6, 0, [72, 0]), (7, 5, [0, 12]), (8, 9, [u32::MAX, 0]), (9, 3, [0, 1 << 31]), (22, 6, [1 << 31, 0])]
+    {
         let mut pairs = crossing.pairs[200..210].to_vec();
         pairs[at] = pair;
         vectors.numbers(&of(number, &pairs));
@@ -161,6 +163,11 @@ pub(super) fn samples(design: &EngineDesign) -> Result<String, ParamError> {
         vectors.numbers(&kept(20, 2.5, &crossing.pairs[..24], true));
         vectors.reset(clocks, Some(clocks));
         vectors.numbers(&kept(21, 2.5, &crossing.pairs[200..203], true));
+    }
+    // Between the words of a packet: in its head, in its pose, between its pairs.
+    for words_before in [1, 2, first - 1, first + 3] {
+        vectors.reset_within(&words, words_before);
+        vectors.numbers(&kept(23, 2.5, &crossing.pairs[200..203], true));
     }
     Ok(vectors.text().to_owned())
 }

@@ -246,6 +246,14 @@ impl<'a> EngineVectors<'a> {
         self.wait();
     }
 
+    /// A soft reset by the port behind so many words of a packet, the rest of which is dropped.
+    pub fn reset_within(&mut self, words: &[u64], words_before: usize) {
+        let (before, dropped) = words.split_at(words_before);
+        before.iter().for_each(|&word| self.word_in(word, false, true));
+        self.reset(0, None);
+        self.packet(dropped);
+    }
+
     /// A word of memory is written behind the answers to all packets before. Passes after the first begin with it.
     ///
     /// # Panics
