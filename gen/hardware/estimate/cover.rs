@@ -33,9 +33,47 @@ impl Passages {
     }
 }
 
+/// Most inputs of a look-up table, of all devices.
+const MOST: usize = 6;
+
+/// A set of gates in ascending order. It is small and made by the hundred thousand, so it lies in place.
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Leaves {
+    all: [u32; MOST],
+    count: usize,
+}
+
+impl Leaves {
+    fn of(gate: usize) -> Self {
+        let mut leaves = Self { count: 1, ..Self::default() };
+        leaves.all[0] = gate as u32;
+        leaves
+    }
+
+    fn iter(&self) -> impl Iterator<Item = usize> + '_ {
+        self.all[..self.count].iter().map(|leaf| *leaf as usize)
+    }
+
+    /// The union with another set, if it has at most so many members.
+    fn union(&self, other: &Self, most: usize) -> Option<Self> {
+        let mut union = Self::default();
+        let (mut a, mut b) = (self.iter().peekable(), other.iter().peekable());
+        while let Some(least) = a.peek().into_iter().chain(b.peek()).min().copied() {
+            if union.count == most {
+                return None;
+            }
+            union.all[union.count] = least as u32;
+            union.count += 1;
+            a.next_if_eq(&least);
+            b.next_if_eq(&least);
+        }
+        Some(union)
+    }
+}
+
 #[derive(Clone)]
 struct Cut {
-    leaves: Vec<u32>,
+    leaves: Leaves,
     flow: f64,
     /// Tables in a row.
     depth: u32,
@@ -43,6 +81,9 @@ struct Cut {
 
 /// The look-up tables that compute `roots`, by their number of inputs (entry i: those with i inputs), at `prices[i]`
 /// for a table of i inputs; at most as many inputs as there are prices, less one.
+///
+/// # Panics
+/// If tables have more inputs than those of any device.
 pub(super) fn cover(gates: &Gates, roots: &[Bit], prices: &[f64], passages: &Passages) -> Vec<u64> {
     let mut users = vec![0u32; gates.all.len()];
     for gate in needed(gates, roots) {
@@ -75,11 +116,10 @@ pub(super) fn cover(gates: &Gates, roots: &[Bit], prices: &[f64], passages: &Pas
                 continue;
             }
             let leaves = &cuts[gate].leaves;
-            tables[leaves.len()] += 1;
-            for leaf in leaves {
-                users[*leaf as usize] += 1;
-                let earlier = required[gate].saturating_sub(1);
-                required[*leaf as usize] = required[*leaf as usize].min(earlier);
+            tables[leaves.count] += 1;
+            for leaf in leaves.iter() {
+                users[leaf] += 1;
+                required[leaf] = required[leaf].min(required[gate].saturating_sub(1));
             }
         }
         shares.iter_mut().zip(&users).for_each(|(share, n)| *share = (2.0 * *share + f64::from(*n)) / 3.0);
@@ -111,19 +151,19 @@ fn choose(gates: &Gates, shares: &[f64], prices: &[f64], required: &[u32], passa
     let mut cuts: Vec<Vec<Cut>> = vec![];
     for (i, gate) in gates.all.iter().enumerate() {
         if matches!(gate, Gate::Zero | Gate::Leaf) {
-            let leaves = if *gate == Gate::Leaf { vec![i as u32] } else { vec![] };
+            let leaves = if *gate == Gate::Leaf { Leaves::of(i) } else { Leaves::default() };
             let depth = passages.entries(i).map(|(before, levels)| cuts[before][0].depth + levels).max().unwrap_or(0);
             cuts.push(vec![Cut { leaves, flow: 0.0, depth }]);
             continue;
         }
-        let unions = gate.operands().fold(vec![vec![]], |unions: Vec<Vec<u32>>, operand| {
-            let pairs = unions.iter().flat_map(|u| cuts[operand].iter().map(move |c| union(u, &c.leaves)));
-            pairs.filter(|u| u.len() <= most).collect()
+        let unions = gate.operands().fold(vec![Leaves::default()], |unions: Vec<Leaves>, operand| {
+            let pairs = unions.iter().flat_map(|u| cuts[operand].iter().map(move |c| u.union(&c.leaves, most)));
+            pairs.flatten().collect()
         });
-        let price = |leaves: Vec<u32>| {
-            let below: f64 = leaves.iter().map(|l| cuts[*l as usize][0].flow).sum();
-            let depth = leaves.iter().map(|l| cuts[*l as usize][0].depth).max().unwrap_or(0) + 1;
-            Cut { flow: below + prices[leaves.len()], leaves, depth }
+        let price = |leaves: Leaves| {
+            let below: f64 = leaves.iter().map(|leaf| cuts[leaf][0].flow).sum();
+            let depth = leaves.iter().map(|leaf| cuts[leaf][0].depth).max().unwrap_or(0) + 1;
+            Cut { leaves, flow: below + prices[leaves.count], depth }
         };
         let mut own: Vec<Cut> = unions.into_iter().map(price).collect();
         let key = |cut: &Cut| if cut.depth <= required[i] { 0 } else { cut.depth };
@@ -138,19 +178,11 @@ fn choose(gates: &Gates, shares: &[f64], prices: &[f64], required: &[u32], passa
         own.extend(shallowest);
         // What users of this gate pay when they take it as a leaf; the cut that computes it comes first.
         own[0].flow /= shares[i].max(1.0);
-        let itself = Cut { leaves: vec![i as u32], ..own[0].clone() };
+        let itself = Cut { leaves: Leaves::of(i), ..own[0].clone() };
         own.push(itself);
         cuts.push(own);
     }
     cuts.into_iter().map(|mut own| own.swap_remove(0)).collect()
-}
-
-/// The union of two sorted sets.
-fn union(a: &[u32], b: &[u32]) -> Vec<u32> {
-    let mut all = [a, b].concat();
-    all.sort_unstable();
-    all.dedup();
-    all
 }
 
 #[cfg(test)]
