@@ -396,7 +396,7 @@ fn builtin_agrees_with_the_reference_model_in_every_option_value() {
 
 #[test]
 fn builtin_agrees_with_the_reference_model_in_combinations() {
-    let cases = combined(if full() { 2000 } else { 40 });
+    let cases = combined(if full() { 2000 } else { 20 });
     all_hold(&cases, |name, p| agrees(name, p, 100, Simulator::Builtin, true).map(|_| ()));
 }
 
@@ -452,7 +452,7 @@ fn traced(p: &Params, design: &Design, stimulus: &Stimulus) -> Vec<(usize, usize
 
 #[test]
 fn graph_equals_reference_model_in_every_inner_signal() {
-    let cases = share(14, [varied(&Params::default()), combined(20), others_than_axes()].concat());
+    let cases = share(28, [varied(&Params::default()), combined(20), others_than_axes()].concat());
     cases.par_iter().for_each(|(name, p)| {
         let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{name}: {e}"));
         let golden = Golden::new(p);
@@ -521,7 +521,7 @@ fn ghdl_agrees_in_option_values() {
     }
     // Narrow but for the widths under test: GHDL takes many times as long as the built-in simulator, which runs them all.
     let narrow = Params { width: 10, transform_width: 14, ..Params::default() };
-    all_hold(&share(31, [varied(&narrow), determinants(&narrow)].concat()), ghdl_equals_builtin);
+    all_hold(&share(62, [varied(&narrow), determinants(&narrow)].concat()), ghdl_equals_builtin);
 }
 
 #[test]
@@ -542,7 +542,7 @@ fn ghdl_agrees_in_cascades_and_with_snapped_geometry() {
         let p = Params { width: 8, transform_width: 8, clocks_per_pair, exact_clocks, ..Params::snapped() };
         cases.push((format!("snapped, {clocks_per_pair} and {exact_clocks:?}"), p));
     }
-    all_hold(&share(2, cases), ghdl_equals_builtin);
+    all_hold(&share(4, cases), ghdl_equals_builtin);
 }
 
 #[test]

@@ -28,7 +28,7 @@ const RECORDED: &str = include_str!("baseline.txt");
 const PAIRS: [usize; 2] = [128, 256];
 
 /// Of so many parameter sets one is simulated, unless all are.
-const SIMULATED: usize = 6;
+const SIMULATED: usize = 12;
 
 /// Families of signals in the order of the data flow: the column, and how the names of its signals begin.
 const FAMILIES: [(&str, &str); 9] = [

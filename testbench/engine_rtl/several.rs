@@ -41,13 +41,14 @@ fn several_engines_answer_as_one() {
     }
     let itself = (&images[0], vectors.side(0));
     let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
-    // A longer answer.
+    // Longer answers.
     let long = numbers.query([itself; 2], &turn(2), &[0.0, 0.0, 0.0]).unwrap();
-    vectors.query(&Query { number: 3, all_pairs: true, ..long.clone() });
-    vectors.query(&Query { number: 4, all_pairs: true, ..long });
+    for number in in_full(3..5) {
+        vectors.query(&Query { number, all_pairs: true, ..long.clone() });
+    }
     vectors.pose(&segments[0].0);
     vectors.pairs(&segments[0].1);
-    for number in 5..9 {
+    for number in share(2, 5..9) {
         vectors.query(&Query { number, ..query.clone() });
     }
     vectors.reset(300, Some(9));
@@ -82,7 +83,8 @@ fn no_engine_keeps_what_was_written_over() {
     vectors.query(&kept(4));
     let options = ["-gpasses=1"];
     bench.passes(vectors.text(), &options);
-    bench.notices([("engines_dispatch.vhd", "renew <= not target;", "renew <= nobody;")], &[vectors.text()], &options);
+    let change = ("engines_dispatch.vhd", "renew <= not target;", "renew <= nobody;");
+    bench.notices(in_full([change]), &[vectors.text()], &options);
 }
 
 /// A fault of memory ends the query whose burst it was; after a last word that came too late, or never, no wrong word is taken.
@@ -95,7 +97,7 @@ fn a_fault_of_memory_is_for_the_engine_that_has_asked() {
     let options = ["-gpasses=1", "-glatency_least=5", "-glatency_most=40", "-ghang=4000"];
     let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
     let query = query(&EngineVectors::new(&bench.design, &images_of), &images);
-    for kind in share(2, 1..=5) {
+    for kind in share(5, 1..=5) {
         let mut vectors = EngineVectors::new(&bench.design, &images_of);
         // The other engine waits for blocks of B when this one of A, which is not the first, comes.
         let itself = (&images[1], vectors.side(1));

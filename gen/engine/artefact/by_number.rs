@@ -108,7 +108,8 @@ pub(super) fn samples(design: &EngineDesign) -> Result<String, ParamError> {
     for other in [1 << 8, 1 << 32, 1 << 34, 1 << 36, 1 << 39, 4] {
         vectors.malformed(&malformed(&[vec![words[0] ^ other], words[1..].to_vec()].concat()), Reason::UnknownHeader);
     }
-    vectors.malformed(&malformed(&[0]), Reason::UnknownHeader);
+    // So many that reports wait for the host, and packets for reports.
+    (0..24).for_each(|_| vectors.malformed(&malformed(&[0]), Reason::UnknownHeader));
     vectors.malformed(&malformed(&[format.order(Command::Stop, 7)]), Reason::UnknownHeader);
     vectors.malformed(&malformed(&[format.order(Command::Reset, 7), 0]), Reason::UnknownHeader);
     vectors.malformed(&malformed(&[format.order(Command::Reset, 7) | 1 << 39]), Reason::UnknownHeader);

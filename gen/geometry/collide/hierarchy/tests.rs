@@ -100,17 +100,25 @@ fn triangles_of(tree: &DopTree) -> Vec<Vec<u32>> {
     sets
 }
 
-/// The greatest h . (M x + t - c), in steps of a grid, exactly.
-fn exact_offset(points: &[Point3<f64>], h: [i8; 3], pose: &Pose, centre: &Point3<f64>, exponent: i32) -> Rational {
-    let image = |x: &Point3<f64>| {
-        (0..3).fold(Rational::zero(), |sum, i| {
-            let row = (0..3).fold(rational(pose.translation[i]) - rational(centre[i]), |row, j| {
+/// The corners of the triangles of a mesh as M x + t - c, exactly.
+fn exact_corners(mesh: &Mesh, pose: &Pose, centre: &Point3<f64>) -> Vec<[[Rational; 3]; 3]> {
+    let image = |x: Point3<f64>| {
+        [0, 1, 2].map(|i| {
+            (0..3).fold(rational(pose.translation[i]) - rational(centre[i]), |row, j| {
                 row + rational(pose.rotation[(i, j)]) * rational(x[j])
-            });
-            sum + row * Rational::from_integer(h[i].into())
+            })
         })
     };
-    points.iter().map(image).max().expect("a triangle has corners") / power_of_two(exponent)
+    (0..mesh.faces().len()).map(|face| mesh.triangle(face).map(image)).collect()
+}
+
+/// The greatest h . x of the corners of some triangles, in steps of a grid, exactly.
+fn exact_offset(corners: &[[[Rational; 3]; 3]], triangles: &[u32], h: [i8; 3], exponent: i32) -> Rational {
+    let corners = triangles.iter().flat_map(|&face| &corners[face as usize]);
+    let along = |x: &[Rational; 3]| {
+        (0..3).map(|i| &x[i] * Rational::from_integer(h[i].into())).fold(Rational::zero(), |sum, part| sum + part)
+    };
+    corners.map(along).max().expect("a triangle has corners") / power_of_two(exponent)
 }
 
 /// Realigned offsets are upper bounds, in exact arithmetic, for scales and poses of all kinds.
@@ -133,10 +141,10 @@ fn realigned_offsets_hold_what_is_in_them() {
             let [a, b] = [0, 1].map(|mesh: usize| DopTree::new(&meshes[mesh], set));
             let realignment = Realignment::new(&a, &b, &pose);
             let seen = realigned(&realignment, &b);
+            let corners = exact_corners(&meshes[1], &pose, &a.centre);
             for (node, triangles) in triangles_of(&b).iter().enumerate() {
-                let points: Vec<_> = triangles.iter().flat_map(|&face| meshes[1].triangle(face as usize)).collect();
                 for (index, &offset) in seen[node].iter().enumerate().filter(|(_, offset)| **offset < FAR) {
-                    let exact = exact_offset(&points, set.vector(index), &pose, &a.centre, a.exponent);
+                    let exact = exact_offset(&corners, triangles, set.vector(index), a.exponent);
                     let excess = Rational::from_integer(offset.into()) - exact;
                     assert!(!excess.is_negative(), "round {round}, {set:?}, node {node}, direction {index}");
                     compared += 1;
@@ -144,10 +152,10 @@ fn realigned_offsets_hold_what_is_in_them() {
                 }
             }
             // The offsets of A itself are those of the identity, but for the rounding.
-            for (dop, triangles) in dops(&a).iter().zip(triangles_of(&a)) {
-                let points: Vec<_> = triangles.iter().flat_map(|&face| meshes[0].triangle(face as usize)).collect();
+            let corners = exact_corners(&meshes[0], &Pose::identity(), &a.centre);
+            for (dop, triangles) in dops(&a).iter().zip(&triangles_of(&a)) {
                 for (index, &offset) in dop.iter().enumerate() {
-                    let exact = exact_offset(&points, set.vector(index), &Pose::identity(), &a.centre, a.exponent);
+                    let exact = exact_offset(&corners, triangles, set.vector(index), a.exponent);
                     let excess = Rational::from_integer(offset.into()) - exact;
                     assert!(!excess.is_negative() && excess < Rational::from_integer(2.into()));
                 }
