@@ -1,7 +1,7 @@
 //! The three layers of truth agree: reference model = evaluated graph = built-in simulation = GHDL.
 //!
 //! Every option is varied over its range one at a time, then in seeded combinations; inner signals are
-//! compared in a third of them and GHDL takes an eighth, unless everything is asked for. The comparison of answers includes the flags of every axis, so
+//! compared in a part of them and GHDL takes a few, unless everything is asked for. The comparison of answers includes the flags of every axis, so
 //! that a parameter set whose verdicts are all possibly-incorrect is checked too.
 
 use crate::baseline::hardware::Names;

@@ -3,7 +3,7 @@
 //!
 //! `baseline.txt` has a line for each parameter set: what verdicts it gave how often, then hashes of what it was given, of its
 //! answers, and of each family of signals, all of the reference model. The reference model is asked again for every parameter
-//! set, and a design with probes is run in the built-in simulator for every sixth unless everything is asked for.
+//! set, and a design with probes is run in the built-in simulator for every twelfth unless everything is asked for.
 //!
 //! EFSAT_BASELINE=write makes the file anew. To be done at commit 269ec08, with this test put there, and at no other: a
 //! baseline made by what it is to check says nothing.

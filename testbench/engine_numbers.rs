@@ -180,7 +180,9 @@ fn no_pair_goes_on_behind_a_fault() {
     let fine_with = |bench: &Bench, options: &[String; 3]| {
         fine(&bench.run_vectors(vectors.text(), &options.each_ref().map(String::as_str)))
     };
-    assert!(options.iter().all(|options| fine_with(&bench, options)));
+    for options in &options {
+        bench.passes(vectors.text(), &options.each_ref().map(String::as_str));
+    }
     for with in ["triangles_there;", "triangles_there and not memory_silent;"] {
         let changed = bench.with(("efsat_engine.vhd", "triangles_there and not failing;", with));
         assert!(!options.iter().all(|options| fine_with(&changed, options)), "{with}");
@@ -211,6 +213,7 @@ fn triangles_that_were_written_over_are_read_again() {
 
 /// Mistakes in the text, each of which the generated vectors notice.
 #[test]
+#[ignore = "compiles an engine: scripts/test full"]
 fn a_wrong_entity_is_noticed() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     let (command, answer, top) = ("engine_number_command.vhd", "engine_number_answer.vhd", "efsat_engine.vhd");
@@ -254,14 +257,14 @@ fn a_wrong_entity_is_noticed() {
     let bench = Bench::of(ghdl, design(&axi(), &determinants()));
     let text = bench.files.get("efsat_engine_tb.vec").unwrap().to_owned();
     let options = ["-glatency_least=5", "-glatency_most=60", "-gfirst_pass=2"];
-    bench.notices(in_full(changes), &[&text], &options);
+    bench.notices(changes, &[&text], &options);
 
     // What few runs meet: a soft reset while a word waits for the host or a pair goes to the unit.
     let rare = [
         (command, "if (clears or reset_now) = '1' then\n        waiting", "if clears = '1' then\n        waiting"),
         (answer, "offered <= offered and not free;", "offered <= '0';"),
     ];
-    bench.notices(in_full(rare), &[&text], &[&options[..], &["-gpasses=12"]].concat());
+    bench.notices(rare, &[&text], &[&options[..], &["-gpasses=6"]].concat());
 }
 
 /// A unit of several clocks per pair takes a pose later: the pairs of its packet wait for it.
@@ -272,10 +275,10 @@ fn pairs_wait_for_their_pose() {
     let bench = Bench::of(ghdl, design(&axi(), &small()));
     let crossing = Crossing::new(&bench.design);
     let mut vectors = crossing.vectors(&bench.design);
-    let turned = ByNumber { pose: Pose { bypass: true, ..Pose::identity(&small()) }, ..crossing.some(0, 200, 40) };
+    let as_it_lies = ByNumber { pose: Pose { bypass: true, ..Pose::identity(&small()) }, ..crossing.some(0, 200, 40) };
     for clocks in 0..11 {
         vectors.pause(clocks);
-        vectors.numbers(&turned);
+        vectors.numbers(&as_it_lies);
         vectors.numbers(&crossing.some(clocks, 200, 40));
     }
     let options = ["-gpasses=1", "-glatency_least=1", "-glatency_most=1"];

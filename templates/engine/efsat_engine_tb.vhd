@@ -13,7 +13,7 @@
 --                            word too early, 3 too late; once. 4: it is answered after hang clocks, and those behind it later; 5: no
 --                            word of it is the last one
 {%- endif %}
---   S                        a soft reset by the port, one clock long, where a word would come
+--   S                        a soft reset by the port, one clock long, where a word would come; the rest of a packet has no answer
 --   Z                        behind S, or behind the word of a soft reset: the answer with that reason, which ends what was not answered
 {%- if e.axi %}
 --   N <address> <word>       64 bits of memory are written, where a word would come
@@ -430,6 +430,8 @@ begin
       memory_resetn <= '1';
 {%- endif %}
       holding := false;
+      within_packet := false;
+      dropped := false;
       stop_header := false;
       reset_header := false;
       file_open(source, vectors, read_mode);
@@ -476,7 +478,7 @@ begin
             found_count := 0;
           end if;
         end if;
-        -- A word is taken. A stop has no answer.
+        -- A word is taken. A stop has no answer, nor has the rest of a packet behind a soft reset.
         if (s_tvalid and s_tready) = '1' then
           quiet := 0;
           s_tvalid <= '0';

@@ -165,6 +165,12 @@ pub(super) fn samples(design: &EngineDesign) -> Result<String, ParamError> {
         vectors.reset(clocks, Some(clocks));
         vectors.numbers(&kept(21, 2.5, &crossing.pairs[200..203], true));
     }
+    // While answers wait for the host.
+    for clocks in (20..80).step_by(6) {
+        vectors.numbers(&kept(24, 2.5, &crossing.pairs[..40], true));
+        vectors.reset(clocks, Some(clocks));
+        vectors.numbers(&kept(25, 2.5, &crossing.pairs[200..203], true));
+    }
     // Between the words of a packet: in its head, in its pose, between its pairs.
     for words_before in [1, 2, first - 1, first + 3] {
         vectors.reset_within(&words, words_before);

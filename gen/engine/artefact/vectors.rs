@@ -247,7 +247,11 @@ impl<'a> EngineVectors<'a> {
     }
 
     /// A soft reset by the port behind so many words of a packet, the rest of which is dropped.
+    ///
+    /// # Panics
+    /// If these are none or all of its words.
     pub fn reset_within(&mut self, words: &[u64], words_before: usize) {
+        assert!((1..words.len()).contains(&words_before));
         let (before, dropped) = words.split_at(words_before);
         before.iter().for_each(|&word| self.word_in(word, false, true));
         self.reset(0, None);

@@ -15,6 +15,9 @@ const CUTS: usize = 12;
 /// Covers tried, each from the users of the one before.
 const ROUNDS: usize = 4;
 
+/// Most inputs of a look-up table, of all devices.
+const MOST_INPUTS: usize = 6;
+
 /// Carry chains as mapping sees them: a cut that is late before a long chain makes the whole late.
 #[derive(Default)]
 pub(super) struct Passages {
@@ -33,13 +36,10 @@ impl Passages {
     }
 }
 
-/// Most inputs of a look-up table, of all devices.
-const MOST: usize = 6;
-
 /// A set of gates in ascending order. It is small and made by the hundred thousand, so it lies in place.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct Leaves {
-    all: [u32; MOST],
+    all: [u32; MOST_INPUTS],
     count: usize,
 }
 
@@ -85,6 +85,7 @@ struct Cut {
 /// # Panics
 /// If tables have more inputs than those of any device.
 pub(super) fn cover(gates: &Gates, roots: &[Bit], prices: &[f64], passages: &Passages) -> Vec<u64> {
+    assert!(prices.len() <= MOST_INPUTS + 1);
     let mut users = vec![0u32; gates.all.len()];
     for gate in needed(gates, roots) {
         gates.all[gate].operands().for_each(|o| users[o] += 1);

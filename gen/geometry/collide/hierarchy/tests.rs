@@ -121,12 +121,12 @@ fn exact_offset(corners: &[[[Rational; 3]; 3]], triangles: &[u32], h: [i8; 3], e
     corners.map(along).max().expect("a triangle has corners") / power_of_two(exponent)
 }
 
-/// Realigned offsets are upper bounds, in exact arithmetic, for scales and poses of all kinds.
 /// Contacts without their kinds.
 fn classes((found, statistics): Contacts<ContactKind>) -> Contacts<Exact> {
     (found.into_iter().map(|(pair, kind)| (pair, kind.into())).collect(), statistics)
 }
 
+/// Realigned offsets are upper bounds, in exact arithmetic, for scales and poses of all kinds.
 #[test]
 fn realigned_offsets_hold_what_is_in_them() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
