@@ -74,6 +74,9 @@ const NOT_MOVED: &str = "after reset nothing has been taken, and either flag say
 const PRODUCT: &str = "the factors of a product exchanged";
 const ANY: &str = "any of some flags, in any order";
 const RESTS: &str = "what selects moves on where no pair is, too, and nobody reads what is selected there";
+const TWICE: &str = "the first vertex comes once more, so that the word of magnitudes may lose it once";
+const SELECTS_ZERO: &str =
+    "what it lets select is 0 in the clock before a pair and in the last two, so it may begin and end a clock early";
 const ALWAYS: &str = "the flag is the constant 1";
 
 /// Mutants of the generated VHDL.
@@ -119,6 +122,8 @@ const VHDL: &[Explanation] = &[
     same("cross_product:l_lo_saturated_too_high_d1:constant:*", BELOW),
     same("cross_product:l_hi_saturated_raised_too_low_d1:delay:*", BELOW),
     same("cross_product:l_hi_saturated_raised_too_low_d1:constant:*", BELOW),
+    same_in_several("pair_pipeline:axis0_has_b2_at_0_table:constant:entry 0: 0 -> 1", TWICE),
+    same_in_several("pair_points:in_phase_1:comparison:= -> /=", SELECTS_ZERO),
     same_in_several("efsat:pair_v:delay:a register too many*", LATER),
     same_in_several("efsat:pair_w:delay:a register too many #4", LATER),
     same_in_several("efsat:pair_w:delay:a register too many #5", LATER),
