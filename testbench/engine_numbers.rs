@@ -20,6 +20,7 @@ use efsat::pair::{Input, Pose};
 use efsat::params::options::Choice;
 use efsat::params::{Guard, Method, Params, Quantity, Transform, Truth, Upper};
 use efsat::scene::Scene;
+use efsat_hardware::tools::Tool;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
@@ -52,6 +53,13 @@ impl Crossing {
         let query = numbers.query([(&images[0], sides[0]), (&images[1], sides[1])], &turn(2), &[2.5, 1.0, -1.0]);
         let pairs = (0..72).flat_map(|a| (0..12).map(move |b| [a, b])).collect();
         Self { packet: ByNumber::of_query(&query.unwrap(), pairs), images }
+    }
+
+    /// An engine, and they in its formats.
+    fn bench(ghdl: &'static Tool, engine: &EngineParams, unit: &Params) -> (Bench, Self) {
+        let bench = Bench::of(ghdl, design(engine, unit));
+        let crossing = Self::new(&bench.design);
+        (bench, crossing)
     }
 
     fn vectors<'a>(&self, design: &'a EngineDesign) -> EngineVectors<'a> {
@@ -102,8 +110,7 @@ fn answers_equal_the_reference_models_in_order() {
 #[test]
 fn a_fault_of_memory_ends_one_packet() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
-    let bench = Bench::of(ghdl, design(&EngineParams { watchdog: 500, ..axi() }, &determinants()));
-    let crossing = Crossing::new(&bench.design);
+    let (bench, crossing) = Crossing::bench(ghdl, &EngineParams { watchdog: 500, ..axi() }, &determinants());
     let passes = if full() { "-gpasses=2" } else { "-gpasses=1" };
     let options = [passes, "-glatency_least=2", "-glatency_most=40", "-ghang=2500"];
     // Triangles of A that the packet asks for first, in its midst, last; and one of B.
@@ -168,8 +175,7 @@ fn a_fault_of_memory_ends_one_packet() {
 #[ignore = "compiles an engine: scripts/test full"]
 fn no_pair_goes_on_behind_a_fault() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
-    let bench = Bench::of(ghdl, design(&axi(), &small()));
-    let crossing = Crossing::new(&bench.design);
+    let (bench, crossing) = Crossing::bench(ghdl, &axi(), &small());
     let mut vectors = crossing.vectors(&bench.design);
     vectors.fault(crossing.triangle(0, 21), 1);
     vectors.numbers_that_end(&crossing.some(1, 240, 120), Reason::Memory);
@@ -193,8 +199,7 @@ fn no_pair_goes_on_behind_a_fault() {
 #[test]
 fn triangles_that_were_written_over_are_read_again() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
-    let bench = Bench::of(ghdl, design(&axi(), &small()));
-    let crossing = Crossing::new(&bench.design);
+    let (bench, crossing) = Crossing::bench(ghdl, &axi(), &small());
     let other = Image::build(&[&cuboid(4, 1, 1)], &bench.design.format).unwrap();
     let (words, side) = memory(&[&other[0]]);
     let mut vectors = crossing.vectors(&bench.design);
@@ -272,8 +277,7 @@ fn a_wrong_entity_is_noticed() {
 #[ignore = "compiles an engine: scripts/test full"]
 fn pairs_wait_for_their_pose() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
-    let bench = Bench::of(ghdl, design(&axi(), &small()));
-    let crossing = Crossing::new(&bench.design);
+    let (bench, crossing) = Crossing::bench(ghdl, &axi(), &small());
     let mut vectors = crossing.vectors(&bench.design);
     let as_it_lies = ByNumber { pose: Pose { bypass: true, ..Pose::identity(&small()) }, ..crossing.some(0, 200, 40) };
     for clocks in 0..11 {
@@ -282,7 +286,6 @@ fn pairs_wait_for_their_pose() {
         vectors.numbers(&crossing.some(clocks, 200, 40));
     }
     let options = ["-gpasses=1", "-glatency_least=1", "-glatency_most=1"];
-    bench.passes(vectors.text(), &options);
     let change = ("engine_number_command.vhd", "begins <= checked and posed", "begins <= checked");
     bench.notices([change], &[vectors.text()], &options);
 }
@@ -293,8 +296,7 @@ fn pairs_wait_for_their_pose() {
 fn a_pair_per_clock() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     for engine in share(2, [block_ram(), EngineParams { triangle_lines: 256, ..axi() }]) {
-        let bench = Bench::of(ghdl, design(&engine, &determinants()));
-        let crossing = Crossing::new(&bench.design);
+        let (bench, crossing) = Crossing::bench(ghdl, &engine, &determinants());
         let clocks = |packets: u32| {
             let mut vectors = crossing.vectors(&bench.design);
             for number in 0..packets {

@@ -99,8 +99,8 @@ impl Bench {
         report
     }
 
-    /// Each change of a file, from one text to another, is noticed with some of these vectors. With these nothing is wrong without it,
-    /// else any change would seem noticed; that is tried again where everything is asked for.
+    /// Nothing is wrong with these vectors, and each change of a file, from one text to another, is noticed with some of them. Where a text
+    /// that is right fails, every change would seem noticed. Nothing is run where there are no changes.
     pub fn notices<'a>(
         &self,
         changes: impl IntoIterator<Item = (&'a str, &'a str, &'a str)>,
@@ -111,11 +111,11 @@ impl Bench {
             let changed = self.with(change);
             vectors.iter().all(|text| fine(&changed.run_vectors(text, options)))
         };
-        if full() {
+        let mut changes = changes.into_iter().peekable();
+        if changes.peek().is_some() {
             vectors.iter().for_each(|text| drop(self.passes(text, options)));
         }
-        let unnoticed: Vec<&str> =
-            changes.into_iter().filter(|change| passes(*change)).map(|(_, from, _)| from).collect();
+        let unnoticed: Vec<&str> = changes.filter(|change| passes(*change)).map(|(_, from, _)| from).collect();
         assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
     }
 }
@@ -331,7 +331,6 @@ fn a_wrong_engine_is_noticed() {
     }
     shallow.iter().for_each(|query| vectors.query(query));
     assert_eq!(vectors.text().matches("8f 0 ").count(), 2, "two queries end for reason 3");
-    bench.passes(vectors.text(), if full() { slow } else { quick });
     let changes = share(12, changes);
     for options in [quick, slow] {
         let some = changes.iter().filter(|change| change.3 == options).map(|&(file, from, to, _)| (file, from, to));

@@ -420,8 +420,8 @@ begin
     variable place : natural;
     variable stop_header : boolean;
     variable reset_header : boolean;
-    variable within_packet : boolean := false;
-    variable dropped : boolean := false;  -- a soft reset by the port came within the packet, which has no answer
+    variable within_packet : boolean;
+    variable dropped : boolean;  -- a soft reset by the port came within the packet, which has no answer
     variable packets_reset : natural := 0;  -- packets in up to the last soft reset
 
     -- The next line of one of the kinds, its rest into found; more says whether there is one.

@@ -195,8 +195,8 @@ begin
     variable place : natural;
     variable stop_header : boolean;
     variable reset_header : boolean;
-    variable within_packet : boolean := false;
-    variable dropped : boolean := false;  -- a soft reset by the port came within the packet, which has no answer
+    variable within_packet : boolean;
+    variable dropped : boolean;  -- a soft reset by the port came within the packet, which has no answer
     variable packets_reset : natural := 0;  -- packets in up to the last soft reset
 {%- if e.engines.several %}
     constant most_packets : natural := 4096;
