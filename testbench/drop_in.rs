@@ -3,7 +3,7 @@
 mod board;
 mod host;
 
-use crate::extent::full;
+use crate::extent::share;
 use crate::tools::program::{efsat, refuses, succeeds};
 use crate::tools::{Ghdl, ghdl, has};
 use rayon::prelude::*;
@@ -63,7 +63,7 @@ fn two_named_designs_and_those_of_the_user_share_a_library() {
     ghdl.elaborate("efsat");
     // All three are in the library now, and both designs still answer as they should.
     for (name, _) in SMALL {
-        for bench in ["efsat_tb", "efsat_stream_tb"] {
+        for bench in share(2, ["efsat_tb", "efsat_stream_tb"]) {
             let entity = format!("{name}_{bench}");
             let (fine, said) = ghdl.run(&entity, &[&format!("-gvectors={name}/{entity}.vec")]);
             assert!(fine && said.contains(&format!("{entity}: ")) && said.contains(" mismatches 0 "), "{said}");
@@ -272,24 +272,19 @@ fn mismatches(said: &str) -> u32 {
 #[test]
 fn a_testbench_says_one_line_and_fails_after_a_mismatch() {
     let Some(tool) = ghdl() else { return };
-    let mut cases = vec![
+    let cases = [
         ("--width 8 --transform-width 10", true),
-        ("--method determinants --width 7 --transform-width 9 --clocks-per-pair 6", full()),
-        ("--method exact --width 8 --stream-width 128 --exact-clocks 16", full()),
+        ("--method determinants --width 7 --transform-width 9 --clocks-per-pair 6", true),
+        ("--method exact --width 8 --stream-width 128 --exact-clocks 16", true),
+        ("--like-paper --upper sticky --width 8 --transform-width 10", false),
+        ("--method determinants --width 7 --transform-width 9 --stream-width 1024", false),
+        ("", false),
+        ("--like-paper --upper sticky", false),
+        ("--method determinants --stream-width 1024", false),
+        ("--method determinants --clocks-per-pair 2 --stream-width 512", false),
+        ("--method exact --stream-width 1024", false),
     ];
-    if full() {
-        let whole = [
-            "--like-paper --upper sticky --width 8 --transform-width 10",
-            "--method determinants --width 7 --transform-width 9 --stream-width 1024",
-            "",
-            "--like-paper --upper sticky",
-            "--method determinants --stream-width 1024",
-            "--method determinants --clocks-per-pair 2 --stream-width 512",
-            "--method exact --stream-width 1024",
-        ];
-        cases.extend(whole.map(|options| (options, false)));
-    }
-    cases.par_iter().for_each(|(options, broken)| {
+    share(cases.len(), cases).par_iter().for_each(|(options, broken)| {
         let home = tempfile::tempdir().unwrap();
         let dir = home.path();
         succeeds(dir, &format!("generate --out rtl {options}"));

@@ -267,7 +267,7 @@ fn one_clock_of_reset_forgets_verdicts_that_wait() {
             // As many pairs as asked for, or as fit; nobody takes the verdicts.
             unit.put(&pair_word(&p, &pairs[0]));
             let (mut accepted, mut clocks) = (0, 0);
-            while clocks < 2000 {
+            while clocks < 1000 {
                 unit.set("in_valid", i128::from(accepted < waiting));
                 unit.clock();
                 accepted += i32::from(unit.get("in_ready") == 1 && accepted < waiting);

@@ -111,7 +111,7 @@ fn answers_equal_the_reference_models() {
         (Params { clocks_per_pair: 2, transform_width: 33, ..determinants() }, StreamWidth::Bits512),
         (Params { transform: Transform::Translate, ..determinants() }, StreamWidth::Bits256),
     ];
-    let wrong: Vec<String> = cases
+    let wrong: Vec<String> = share(3, cases)
         .par_iter()
         .filter_map(|(params, width)| {
             let bench = Bench::new(ghdl, params, *width);
@@ -267,7 +267,7 @@ fn the_driver_gets_exact_answers_through_the_wrapper() {
             StreamWidth::Bits32,
         ),
     ];
-    let wrong: Vec<String> = cases
+    let wrong: Vec<String> = share(2, cases)
         .par_iter()
         .flat_map_iter(|(params, width)| {
             let bench = Bench::new(ghdl, params, *width);

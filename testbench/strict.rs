@@ -2,6 +2,7 @@
 //! errors; and read back by synthesis. `scripts/strict` runs this with more analysers than a distribution has
 //! (docs/strictness.md).
 
+use crate::extent::share;
 use crate::tools::ghdl;
 use efsat::artefact::{FileSet, Scratch, design_files};
 use efsat::design::{Design, Probes};
@@ -160,7 +161,7 @@ fn every_generated_file_is_taken_without_a_warning() {
         .flat_map(|(name, params)| tools.iter().map(move |tool| (name, params.clone(), tool)))
         .flat_map(|(name, params, tool)| ["93", "08"].map(|standard| (name, params.clone(), tool, standard)))
         .collect();
-    let results: Vec<(String, Vec<String>)> = jobs
+    let results: Vec<(String, Vec<String>)> = share(2, jobs)
         .par_iter()
         .map(|(name, params, tool, standard)| {
             let set = files(params);

@@ -7,7 +7,7 @@ use super::error::Failure;
 use super::output::{print, print_json};
 use super::params::{EngineArguments, ParamArguments, choice, whole};
 use super::{file, progress};
-use efsat_checks::synth::{self, Flow, Options, Report, Subject};
+use efsat_checks::synth::{self, Flow, Options, Placer, Report, Subject};
 use efsat_engine::artefact::EngineDesign;
 use efsat_hardware::device;
 use efsat_unit::design::{Design, Probes};
@@ -40,11 +40,14 @@ pub(super) struct Arguments {
     /// Minutes after which a placement is given up, which then counts as the slowest [default: 30]
     #[arg(long, value_name = "N", value_parser = whole(1..=1440), allow_negative_numbers = true)]
     minutes: Option<u32>,
+    /// What places the cells: heap routes what static makes too dense, such as exact at a pair per clock [default: static]
+    #[arg(long, value_name = "NAME", value_parser = choice::<Placer>())]
+    placer: Option<Placer>,
     /// Stop after Yosys: no placement, no clock
-    #[arg(long, conflicts_with_all = ["seeds", "minutes"])]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer"])]
     no_route: bool,
     /// The device model's counts and clock alone: no tool runs
-    #[arg(long, conflicts_with_all = ["seeds", "minutes", "no_route", "keep"])]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer", "no_route", "keep"])]
     predict: bool,
     /// Leave sources, netlists, logs and reports in DIR
     #[arg(long, value_name = "DIR")]
@@ -73,6 +76,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("--no-route", arguments.no_route),
         ("--seeds", arguments.seeds.is_some()),
         ("--minutes", arguments.minutes.is_some()),
+        ("--placer", arguments.placer.is_some()),
     ];
     if let Some((option, _)) = of_placement.into_iter().find(|(_, given)| *given && !flow.routes()) {
         return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; expected --flow ecp5", flow.name())));
@@ -90,8 +94,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };
     let limit = Duration::from_secs(60 * u64::from(arguments.minutes.unwrap_or(MINUTES)));
+    let placer = arguments.placer.unwrap_or(Placer::Static);
     arguments.keep.iter().try_for_each(|dir| file::named(dir, "directory"))?;
-    let options = Options { flow, seeds, limit, keep: arguments.keep.clone() };
+    let options = Options { flow, seeds, limit, placer, keep: arguments.keep.clone() };
     let spinner = progress::spinner("synthesising");
     let step = |what: &str| spinner.set_message(what.to_owned());
     let report = synth::run(&subject, &command_line, &options, &step)?;

@@ -1,5 +1,6 @@
 //! Designs on boards, and their copies in Verilog.
 
+use crate::extent::share;
 use crate::tools::program::{succeeds, without_tools};
 use crate::tools::{Ghdl, ghdl, has, run};
 use std::process::Command;
@@ -78,13 +79,14 @@ fn the_verilog_copy_is_the_same_every_time_and_lints() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();
     let linter = has("Verilator", "verilator", "--version");
-    for (options, name) in [
+    let cases = [
         ("--width 8 --transform-width 10 --device lfe5u-85-6", ""),
         ("--width 8 --transform-width 40 --upper sticky --tag-width 40 --stream-width 32 --name near", "near_"),
         ("--method determinants --width 8 --clocks-per-pair 6 --transform off", ""),
         ("--method exact --stream-width 128", ""),
         (&format!("{ENGINE} --device lfe5u-85-6"), ""),
-    ] {
+    ];
+    for (options, name) in share(4, cases) {
         let (stem, core) =
             if options.contains("--engine") { ("efsat_engine", "efsat_engine") } else { ("efsat", "efsat_stream") };
         let options = format!("generate --verilog {options}");

@@ -44,6 +44,8 @@ pub struct Campaign {
     many: Vec<Bench>,
     /// The mutants of the design with probes, by name: their lines are at other places.
     twins: HashMap<String, Mutant>,
+    /// As many pairs without probes, for mutants of statements that the design with probes has in another form.
+    plain: Vec<Bench>,
 }
 
 impl Campaign {
@@ -59,13 +61,18 @@ impl Campaign {
         // A testbench runs no more pairs than these with gaps and back-pressure, and needs them to fill the unit.
         let most = testbench::paced(&Design::new(params, Probes::None)?);
         let runs: Vec<usize> = (0..options.vectors).step_by(most).collect();
-        let many = runs.into_par_iter().map(|from| {
-            let seed = options.seed.wrapping_add(2 + from as u64);
-            bench((options.vectors - from).min(most), seed, true)
-        });
-        let many = many.collect::<Result<_, _>>()?;
-        let twins = enumerate(probed.files(), params).into_iter().map(|mutant| (mutant.name(), mutant)).collect();
-        Ok(Self { few, probed, many, twins })
+        let many = |probed| {
+            let run = |from: &usize| {
+                let seed = options.seed.wrapping_add(2 + *from as u64);
+                bench((options.vectors - from).min(most), seed, probed)
+            };
+            runs.par_iter().map(run).collect::<Result<Vec<_>, _>>()
+        };
+        let twins: HashMap<String, Mutant> =
+            enumerate(probed.files(), params).into_iter().map(|mutant| (mutant.name(), mutant)).collect();
+        let alone = enumerate(few.files(), params).iter().any(|mutant| !twins.contains_key(&mutant.name()));
+        let plain = if alone { many(false)? } else { vec![] };
+        Ok(Self { many: many(true)?, few, probed, twins, plain })
     }
 
     /// Runs a mutant until something kills it.
@@ -73,10 +80,12 @@ impl Campaign {
     /// # Errors
     /// As [`Bench::run`].
     pub fn fate(&self, mutant: &Mutant) -> Result<Fate, CosimError> {
-        let twin = self.twins.get(&mutant.name());
-        let probed = [&self.probed].into_iter().chain(&self.many).map(|bench| (bench, twin));
-        for (bench, mutant) in [(&self.few, Some(mutant))].into_iter().chain(probed) {
-            let Some(mutant) = mutant else { continue };
+        let (more, twin): (Vec<&Bench>, &Mutant) = match self.twins.get(&mutant.name()) {
+            Some(twin) => ([&self.probed].into_iter().chain(&self.many).collect(), twin),
+            None => (self.plain.iter().collect(), mutant),
+        };
+        let more = more.into_iter().map(|bench| (bench, twin));
+        for (bench, mutant) in [(&self.few, mutant)].into_iter().chain(more) {
             let file = format!("{}.vhd", mutant.unit);
             let original = bench.files().iter().find(|(name, _)| *name == file);
             let (name, text) = original.expect("mutants are made from the files of the bench");

@@ -63,6 +63,7 @@ const ORIGIN: &str = "V0 is the origin: all its lower bounds are 0";
 const POSE: &str = "a pose is taken in the last phase but one, and first read at the end of phase 0";
 const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
+const HELD: &str = "the input is held for a slot, and the copy is read in the clock in which it equals the original";
 const UNUSED: &str = "most designs do not call this function for values of this type";
 const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
 const POPPED: &str = "valid counts in the last phase only, ten clocks or more after the last pop, and after reset";
@@ -77,6 +78,8 @@ const RESTS: &str = "what selects moves on where no pair is, too, and nobody rea
 const TWICE: &str = "the first vertex comes once more, so that the word of magnitudes may lose it once";
 const SELECTS_ZERO: &str =
     "what it lets select is 0 in the clock before a pair and in the last two, so it may begin and end a clock early";
+const NONE_YET: &str = "after reset nothing has been accepted, and the other flag is selected";
+const NEARLY: &str = "shows where boxes are apart by some units of the last place alone: hardly any pair";
 const ALWAYS: &str = "the flag is the constant 1";
 
 /// Mutants of the generated VHDL.
@@ -86,6 +89,7 @@ const VHDL: &[Explanation] = &[
     hidden("efsat_types:choose:operand:if_set -> condition", UNUSED),
     hidden("efsat_types:choose:operand:if_clear -> if_set", UNUSED),
     hidden("efsat_types:choose:* #3", UNUSED),
+    same("sequencer:full_if_moved:constant:'0' -> '1'", NONE_YET),
     same_in_several("sequencer:full:*:full_if_moved -> *", LAST_PHASE),
     same_in_several("sequencer:full_if_moved:*", LAST_PHASE),
     same_in_several("sequencer:accepted_moved:constant:'0' -> '1'", LAST_PHASE),
@@ -139,6 +143,13 @@ const VHDL: &[Explanation] = &[
         "first_point:first_choice_d1:operand:*",
         "shows where one of two corners alone is V0, and the lines cross there",
     ),
+    same(
+        "pair_norms:rest_of_level:case:to_unsigned(64, *) -> to_unsigned(64, *), the next arm",
+        "both arms are one number",
+    ),
+    hidden("pair_witnesses:boxes_wrong_table:constant:entry 0: 1 -> 2", NEARLY),
+    hidden("pair_witnesses:boxes_wrong_d1:delay:a register too many", NEARLY),
+    same_in_several("pair_coordinates:shift_unit_x:delay:difference_v*_h9 -> difference_v*_held(3)", HELD),
     same("pair_axes:p_unit_v.lo:constant:v(0)(i) -> (0)", ORIGIN),
     same_in_several("*:case:without the condition busy_*", RESTS),
     same_in_several("efsat:active_*:delay:a register too many*", POSE),
@@ -162,8 +173,14 @@ const VHDL: &[Explanation] = &[
     same("first_point:*_any*:operand:* exchanged", ANY),
     same("cross_component:c_result_*_unit.x:operand:* and *(1)", PRODUCT),
     same("left_out_coordinate:seen:operand:not flag(* exchanged", ANY),
+    same("pair_plane:no_u:operand:not flag(* exchanged", ANY),
     same("pair_plane:moment_c:constant:moment_*_h1(0) -> (1)", "of pairs on two lines, whose moments are all 0"),
     same("pair_plane:v_in_plane_unit.left_out:operand:left_out_* and left_out_*", "the two are one signal"),
+    hidden(
+        "pair_verdict:in_plane:constant:planes(1) -> (0) #2",
+        "shows where the middle corner of a segment is off the plane, and its end, given twice, on it: hardly any pair",
+    ),
+    same("pair_witnesses:skew_word_h1:operand:* exchanged", ANY),
     same("pair_verdict:both_sides:operand:planes(*) and planes(*) exchanged", ANY),
     hidden(
         "moment_component:high_*:rounding:ulp dropped",

@@ -39,7 +39,7 @@ pub use self::{
     cells::Cells,
     critical_path::{CriticalPath, Step},
     error::{SynthError, ToolError},
-    route::{Placed, Routed},
+    route::{Placed, Placer, Routed},
     slices::Slices,
     static_timing::Timing,
 };
@@ -62,6 +62,8 @@ pub struct Options {
     pub seeds: u32,
     /// The time that one placement may take with its routing.
     pub limit: Duration,
+    /// What places the cells.
+    pub placer: Placer,
     /// Where to leave sources, netlists, logs and reports; a temporary folder if none.
     pub keep: Option<PathBuf>,
 }
@@ -129,7 +131,9 @@ impl Report {
                 Some(median) => faults.push(format!("{median:.1} MHz instead of {target} (median of the seeds)")),
                 None => {
                     let minutes = routed.limit.as_secs() / 60;
-                    faults.push(format!("not routed in {minutes} minutes a seed; try more --seeds or --minutes"));
+                    let other = if routed.placer == Placer::Static { "heap" } else { "static" };
+                    let advice = format!("try --placer {other}, more --seeds or more --minutes");
+                    faults.push(format!("not routed in {minutes} minutes a seed; {advice}"));
                 }
             }
         }

@@ -9,6 +9,7 @@ use crate::synth::product_registers;
 use crate::synth::tools::{self, Tool};
 use crate::synth::{ToolError, yosys};
 use efsat_hardware::device::Family;
+use efsat_unit::params::options::Choice;
 use rayon::prelude::*;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -25,11 +26,28 @@ const PACKED: &str = "packed.json";
 /// Placements at a time: each takes more than half a gigabyte.
 const AT_A_TIME: usize = 2;
 
-/// The part, and how it is filled. The analytic placer `static` spreads a design by its density, `heap`, the default of
-/// nextpnr, legalises it into knots: the default design has 0.6 of the wire length with `static`, and is routed in
-/// minutes where most seeds of `heap` take far longer.
-const PLACEMENT: [&str; 9] =
-    ["--85k", "--package", "CABGA756", "--speed", "6", "--placer", "static", "--router", "router1"];
+/// The part, and how it is routed.
+const PART: [&str; 7] = ["--85k", "--package", "CABGA756", "--speed", "6", "--router", "router1"];
+
+/// What places the cells. No placer of nextpnr is the better one for all designs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Placer {
+    /// Spreads a design by its density: most designs have the higher clock with it.
+    Static,
+    /// Solves for short nets and moves cells to legal places: what `static` makes too dense to be routed may be routed with it.
+    Heap,
+}
+
+impl Choice for Placer {
+    const ALL: &'static [Self] = &[Self::Static, Self::Heap];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Static => "static",
+            Self::Heap => "heap",
+        }
+    }
+}
 
 /// A placement, routed.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +67,8 @@ pub struct Routed {
     pub seeds: Vec<Option<Placed>>,
     /// The time that one seed may take.
     pub limit: Duration,
+    /// What placed them.
+    pub placer: Placer,
 }
 
 impl Routed {
@@ -121,26 +141,26 @@ pub(super) fn run(
     dir: &Path,
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Routed, ToolError> {
-    let (seeds, limit) = (options.seeds, options.limit);
+    let &Options { seeds, limit, placer, .. } = options;
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
     let done = AtomicU32::new(0);
     let say = |done: u32| step(&format!("nextpnr, {done} of {seeds} placements finished"));
     say(0);
     let seed = |seed: u32| {
-        let result = one(nextpnr, frequency, seed, limit, dir, names);
+        let result = one(nextpnr, frequency, seed, options, dir, names);
         say(1 + done.fetch_add(1, Ordering::Relaxed));
         result
     };
     let seeds = pool.install(|| (1..=seeds).into_par_iter().map(seed).collect::<Result<Vec<_>, _>>())?;
-    Ok(Routed { seeds, limit })
+    Ok(Routed { seeds, limit, placer })
 }
 
 fn one(
     nextpnr: &Tool,
     frequency: u32,
     seed: u32,
-    limit: Duration,
+    options: &Options,
     dir: &Path,
     names: &Names,
 ) -> Result<Option<Placed>, ToolError> {
@@ -148,13 +168,14 @@ fn one(
     let (number, frequency) = (seed.to_string(), frequency.to_string());
     let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
     let files = ["--json", PACKED, "--report", &report];
-    let args = [&PLACEMENT[..], &lenient, &files, &["--freq", &frequency, "--seed", &number]].concat();
+    let chosen = ["--placer", options.placer.name(), "--freq", &frequency, "--seed", &number];
+    let args = [&PART[..], &lenient, &files, &chosen].concat();
     let path = dir.join(&report);
     // One of an earlier run would stand beside the log of this one.
     if path.exists() {
         std::fs::remove_file(&path).map_err(ToolError::file(&path))?;
     }
-    if !tools::call_within(limit, &nextpnr.path, &args, dir, &format!("nextpnr-{seed}.log"))? {
+    if !tools::call_within(options.limit, &nextpnr.path, &args, dir, &format!("nextpnr-{seed}.log"))? {
         return Ok(None);
     }
     let text = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
@@ -177,7 +198,7 @@ mod tests {
         let placed = |megahertz: f64| Placed { megahertz, critical: CriticalPath::default(), used: BTreeMap::new() };
         let median = |all: &[Option<f64>]| {
             let seeds = all.iter().map(|megahertz| megahertz.map(placed)).collect();
-            Routed { seeds, limit: Duration::ZERO }.median()
+            Routed { seeds, limit: Duration::ZERO, placer: Placer::Static }.median()
         };
         assert_eq!(median(&[Some(90.0)]), Some(90.0));
         assert_eq!(median(&[Some(120.0), Some(80.0), Some(100.0)]), Some(100.0));

@@ -100,6 +100,7 @@ struct Estimate<'a> {
 struct After<'a> {
     median: Option<f64>,
     met: bool,
+    placer: &'static str,
     seeds: BTreeMap<u32, Option<f64>>,
     critical_path: Option<Path<'a>>,
     used: Option<&'a BTreeMap<String, u64>>,
@@ -171,6 +172,7 @@ impl<'a> Summary<'a> {
         let after = |routed: &'a Routed| After {
             median: routed.median(),
             met: routed.median().is_some_and(|median| median >= f64::from(params.frequency)),
+            placer: routed.placer.name(),
             seeds: (1..).zip(routed.seeds.iter().map(|seed| seed.as_ref().map(|seed| seed.megahertz))).collect(),
             critical_path: routed.middle().map(|middle| (&middle.critical).into()),
             used: routed.middle().map(|middle| &middle.used),

@@ -4,7 +4,7 @@ use efsat_checks::synth::{CriticalPath, Placed, Report, Routed, Timing, Unit};
 use efsat_engine::artefact::cells::WITHIN;
 use efsat_hardware::device::Resources;
 use efsat_unit::design::top::pace;
-use efsat_unit::params::Params;
+use efsat_unit::params::{Params, options::Choice};
 use std::fmt::Write;
 
 /// Slices of the part that estimates are for, an XC2V6000.
@@ -159,7 +159,7 @@ fn clock(text: &mut String, routed: &Routed, target: u32) {
         None => format!("none in {} minutes", routed.limit.as_secs() / 60),
     };
     let seeds: Vec<String> = routed.seeds.iter().map(megahertz).collect();
-    let seeds = format!("{} (seeds 1 to {})", seeds.join(", "), seeds.len());
+    let seeds = format!("{} (placer {}, seeds 1 to {})", seeds.join(", "), routed.placer.name(), seeds.len());
     let Some(middle) = routed.middle() else {
         let _ = writeln!(text, "clock: not routed in time, median of {seeds}");
         return;
