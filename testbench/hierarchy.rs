@@ -90,7 +90,7 @@ fn no_pair_of_any_mesh_is_lost() {
         // Four steps at each distance: a quarter turn among them, with entries 0 and 1, and others.
         let scene = Scene::against_itself(name.as_str(), mesh.clone(), 7, &[1.5, 0.4, 0.0]).unwrap();
         let poses: Vec<Pose> =
-            share(2, [0, 1, 4, 7, 9, 15, 17]).into_iter().map(|frame| scene.frame(frame).poses[1]).collect();
+            share(4, [0, 1, 4, 7, 9, 15, 17]).into_iter().map(|frame| scene.frame(frame).poses[1]).collect();
         let (found, lost) = lost(&name, &mesh, &mesh, &poses);
         touching += found;
         wrong.extend(lost);
