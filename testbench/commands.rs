@@ -15,8 +15,8 @@ use std::os::unix::fs::PermissionsExt;
 /// What stands for a word such as FILE or N. All of them in a command stand for the same, so one that fits all must be there.
 const STAND_INS: [&str; 6] = ["18", "11", "headlight", "xc2v6000-4", "guigue-devillers", "generate"];
 
-/// Options that pages name and that are of other programs: FuseSoC, nextpnr, cargo.
-const OTHERS: [&str; 3] = ["--cores-root", "--placer", "--release"];
+/// Options that pages name and that are of other programs: FuseSoC, cargo.
+const OTHERS: [&str; 2] = ["--cores-root", "--release"];
 
 /// Folders whose paths pages name.
 const FOLDERS: [&str; 11] =

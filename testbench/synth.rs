@@ -10,7 +10,7 @@ use efsat::design::{Design, Probes};
 use efsat::device;
 use efsat::estimate;
 use efsat::evidence::cosim::{self, Netlist, Options, Simulator};
-use efsat::evidence::synth::{self, Flow, Report, Subject, verilog, yosys};
+use efsat::evidence::synth::{self, Flow, Placer, Report, Subject, verilog, yosys};
 use efsat::params::{Method, Params, Projections, Transform};
 use serde_json::Value;
 use std::path::Path;
@@ -112,12 +112,12 @@ fn a_mutated_netlist_is_noticed() {
     assert!(said.contains("efsat_tb: mismatch at vector"), "{said}");
 }
 
-fn report(params: &Params, seeds: u32, keep: Option<&Path>) -> Option<Report> {
+fn report(params: &Params, seeds: u32, placer: Placer, keep: Option<&Path>) -> Option<Report> {
     let (flow, keep) = (Flow::of(device::find(&params.device).unwrap()), keep.map(Path::to_owned));
     let design = Design::new(params, Probes::None).unwrap();
     let subject = Subject::Unit(&design);
     let limit = Duration::from_secs(600);
-    made(synth::run(&subject, "", &synth::Options { flow, seeds, limit, placer: synth::Placer::Static, keep }, &|_| ()))
+    made(synth::run(&subject, "", &synth::Options { flow, seeds, limit, placer, keep }, &|_| ()))
 }
 
 /// The counts of a unit are at least those of its parts.
@@ -138,7 +138,7 @@ fn smallest_on(device: &str) -> Params {
 #[test]
 fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
     for device in share(2, ["lfe5u-85-6", "lifcl-40-9"]) {
-        let Some(report) = report(&smallest_on(device), 0, None) else { return };
+        let Some(report) = report(&smallest_on(device), 0, Placer::Static, None) else { return };
         let (predicted, cells) = (report.top.predicted, report.top.actual.unwrap());
         let multipliers = predicted.multipliers;
         assert_eq!((cells.resources.multipliers, cells.registered_multipliers), (multipliers, multipliers), "{device}");
@@ -149,22 +149,27 @@ fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
 #[test]
 #[ignore = "a minute or more: scripts/test full"]
 fn ecp5_is_placed_and_routed() {
-    let dir = TempDir::new().unwrap();
-    let Some(report) = report(&smallest_on("lfe5u-85-6"), 1, Some(dir.path())) else { return };
-    let routed = report.routed.as_ref().unwrap();
-    let seed = routed.middle().unwrap();
-    assert!((20.0..500.0).contains(&seed.megahertz), "{routed:?}");
-    let multipliers = report.cells().multipliers;
-    assert_eq!(seed.used["MULT18X18D"], multipliers);
-    // Every product's register is in its multiplier in what was placed.
-    let packed = std::fs::read_to_string(dir.path().join("packed.json")).unwrap();
-    assert_eq!(packed.matches("\"REG_OUTPUT_CLK\":\"CLK0\"").count() as u64, multipliers);
-    // The path is told in names of the design and is as long as the clock says.
-    let (ns, names) = (seed.critical.logic() + seed.critical.routing(), &seed.critical.steps);
-    assert!((ns - 1000.0 / seed.megahertz).abs() < 0.1, "{ns} ns, {} MHz", seed.megahertz);
-    assert!(names.len() >= 2 && names[..names.len() - 1].iter().all(|step| !step.signal.contains('$')), "{names:?}");
-    // A clock that is out of reach is a fault.
-    assert_eq!(report.faults(500).iter().filter(|fault| fault.contains("MHz instead of 500")).count(), 1);
+    for placer in [Placer::Static, Placer::Heap] {
+        let dir = TempDir::new().unwrap();
+        let Some(report) = report(&smallest_on("lfe5u-85-6"), 1, placer, Some(dir.path())) else { return };
+        let routed = report.routed.as_ref().unwrap();
+        let seed = routed.middle().unwrap();
+        assert!((20.0..500.0).contains(&seed.megahertz), "{routed:?}");
+        let multipliers = report.cells().multipliers;
+        assert_eq!(seed.used["MULT18X18D"], multipliers);
+        // Every product's register is in its multiplier in what was placed.
+        let packed = std::fs::read_to_string(dir.path().join("packed.json")).unwrap();
+        assert_eq!(packed.matches("\"REG_OUTPUT_CLK\":\"CLK0\"").count() as u64, multipliers);
+        // The path is told in names of the design and is as long as the clock says.
+        let (ns, names) = (seed.critical.logic() + seed.critical.routing(), &seed.critical.steps);
+        assert!((ns - 1000.0 / seed.megahertz).abs() < 0.1, "{ns} ns, {} MHz", seed.megahertz);
+        assert!(
+            names.len() >= 2 && names[..names.len() - 1].iter().all(|step| !step.signal.contains('$')),
+            "{names:?}"
+        );
+        // A clock that is out of reach is a fault.
+        assert_eq!(report.faults(500).iter().filter(|fault| fault.contains("MHz instead of 500")).count(), 1);
+    }
 }
 
 /// The options of [`small`].

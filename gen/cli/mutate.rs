@@ -19,7 +19,8 @@ use std::time::Instant;
 /// Changes the generated VHDL, one statement at a time, and shows that the checks notice it
 ///
 /// Every mutant of the VHDL is run on 16 chosen pairs, then with internal signals compared on 48 and on --vectors pairs,
-/// until an answer, a flag, a tag, the latency or a node differs: killed. Mutants that no compiler takes are listed and do not
+/// until an answer, a flag, a tag, the latency or a node differs: killed. Where the design that shows internal signals has
+/// another statement, answers are compared on --vectors pairs. Mutants that no compiler takes are listed and do not
 /// count. Survivors are explained by a table of the program, most of them as equivalent: one that is not explained makes exit status 1, and so does an equivalent one that is killed.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {

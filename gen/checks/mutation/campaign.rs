@@ -37,12 +37,26 @@ fn enumerate(files: &[(String, String)], params: &Params) -> Vec<Mutant> {
     vhdl::mutants(files, 3 * testbench::half_period(params))
 }
 
+/// The file of a bench that a mutant changes, name and text.
+fn file<'a>(bench: &'a Bench, mutant: &Mutant) -> (&'a str, &'a str) {
+    let file = format!("{}.vhd", mutant.unit);
+    let (name, text) =
+        bench.files().iter().find(|(name, _)| *name == file).expect("mutants are made from the files of the bench");
+    (name, text)
+}
+
+/// The line that a mutant changes, and what it has there instead.
+fn change<'a>(bench: &'a Bench, mutant: &'a Mutant) -> (&'a str, &'a str) {
+    let line = file(bench, mutant).1.lines().nth(mutant.line - 1).unwrap_or_default();
+    (line.trim(), &mutant.new)
+}
+
 /// The unchanged design and the runs that a mutant has to survive.
 pub struct Campaign {
     few: Bench,
     probed: Bench,
     many: Vec<Bench>,
-    /// The mutants of the design with probes, by name: their lines are at other places.
+    /// The mutants of the design with probes, by name: of the same change in the same statement, at another place.
     twins: HashMap<String, Mutant>,
     /// As many pairs without probes, for mutants of statements that the design with probes has in another form.
     plain: Vec<Bench>,
@@ -68,10 +82,16 @@ impl Campaign {
             };
             runs.par_iter().map(run).collect::<Result<Vec<_>, _>>()
         };
-        let twins: HashMap<String, Mutant> =
-            enumerate(probed.files(), params).into_iter().map(|mutant| (mutant.name(), mutant)).collect();
-        let alone = enumerate(few.files(), params).iter().any(|mutant| !twins.contains_key(&mutant.name()));
-        let plain = if alone { many(false)? } else { vec![] };
+        let own = enumerate(few.files(), params);
+        let changes: HashMap<String, (&str, &str)> =
+            own.iter().map(|mutant| (mutant.name(), change(&few, mutant))).collect();
+        let mut twins = HashMap::new();
+        for mutant in enumerate(probed.files(), params) {
+            if changes.get(&mutant.name()) == Some(&change(&probed, &mutant)) {
+                twins.insert(mutant.name(), mutant);
+            }
+        }
+        let plain = if twins.len() < own.len() { many(false)? } else { vec![] };
         Ok(Self { many: many(true)?, few, probed, twins, plain })
     }
 
@@ -86,9 +106,7 @@ impl Campaign {
         };
         let more = more.into_iter().map(|bench| (bench, twin));
         for (bench, mutant) in [(&self.few, mutant)].into_iter().chain(more) {
-            let file = format!("{}.vhd", mutant.unit);
-            let original = bench.files().iter().find(|(name, _)| *name == file);
-            let (name, text) = original.expect("mutants are made from the files of the bench");
+            let (name, text) = file(bench, mutant);
             match bench.run(name, &mutant.apply(text))? {
                 Trial::Agrees => {}
                 Trial::Invalid(why) => return Ok(Fate::Invalid(why)),

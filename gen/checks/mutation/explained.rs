@@ -79,7 +79,7 @@ const TWICE: &str = "the first vertex comes once more, so that the word of magni
 const SELECTS_ZERO: &str =
     "what it lets select is 0 in the clock before a pair and in the last two, so it may begin and end a clock early";
 const NONE_YET: &str = "after reset nothing has been accepted, and the other flag is selected";
-const NEARLY: &str = "shows where boxes are apart by some units of the last place alone: hardly any pair";
+const NEARLY: &str = "shows only where the gap between boxes is one or a few units of the last place";
 const ALWAYS: &str = "the flag is the constant 1";
 
 /// Mutants of the generated VHDL.
@@ -143,12 +143,11 @@ const VHDL: &[Explanation] = &[
         "first_point:first_choice_d1:operand:*",
         "shows where one of two corners alone is V0, and the lines cross there",
     ),
-    same(
-        "pair_norms:rest_of_level:case:to_unsigned(64, *) -> to_unsigned(64, *), the next arm",
-        "both arms are one number",
-    ),
     hidden("pair_witnesses:boxes_wrong_table:constant:entry 0: 1 -> 2", NEARLY),
-    hidden("pair_witnesses:boxes_wrong_d1:delay:a register too many", NEARLY),
+    hidden(
+        "pair_witnesses:boxes_wrong_d1:delay:a register too many",
+        "shows only where such a gap is a few units of the last place, and the pair before has another level",
+    ),
     same_in_several("pair_coordinates:shift_unit_x:delay:difference_v*_h9 -> difference_v*_held(3)", HELD),
     same("pair_axes:p_unit_v.lo:constant:v(0)(i) -> (0)", ORIGIN),
     same_in_several("*:case:without the condition busy_*", RESTS),

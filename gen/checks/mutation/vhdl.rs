@@ -11,7 +11,7 @@ pub fn mutants(files: &[(String, String)], late: u32) -> Vec<Mutant> {
     let sources: Vec<(String, Source)> = files.iter().map(|(name, text)| (unit(name), Source::new(text))).collect();
     let mut all = vec![];
     for (unit, source) in &sources {
-        let (mut places, mut seen) = (HashMap::<String, usize>::new(), HashSet::new());
+        let (mut places, mut seen) = (HashMap::<String, usize>::new(), HashSet::from([source.text.to_owned()]));
         for (number, statement) in source.statements.iter().enumerate() {
             let mut editor = Editor { sources: &sources, unit, source, statement, found: vec![] };
             editor.statement(number, late);

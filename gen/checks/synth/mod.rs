@@ -47,6 +47,7 @@ pub use self::{
 use efsat_hardware::device::{Device, Family, Resources};
 use efsat_hardware::netlist::Module;
 use efsat_unit::artefact::Scratch;
+use efsat_unit::params::options::Choice;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -131,7 +132,7 @@ impl Report {
                 Some(median) => faults.push(format!("{median:.1} MHz instead of {target} (median of the seeds)")),
                 None => {
                     let minutes = routed.limit.as_secs() / 60;
-                    let other = if routed.placer == Placer::Static { "heap" } else { "static" };
+                    let other = routed.placer.other().name();
                     let advice = format!("try --placer {other}, more --seeds or more --minutes");
                     faults.push(format!("not routed in {minutes} minutes a seed; {advice}"));
                 }
@@ -235,6 +236,17 @@ mod tests {
         let wide = predicted(&Params { width: 19, projections: efsat_unit::params::Projections::All, ..params });
         let message = wide.fits().unwrap_err().to_string();
         assert!(message.starts_with("204 multipliers do not fit on lfe5u-85-6, which has 156"), "{message}");
+    }
+
+    #[test]
+    fn another_placer_is_advised_where_one_does_not_end() {
+        let limit = Duration::from_secs(60);
+        let advice = |placer| {
+            let routed = Some(Routed { seeds: vec![None], limit, placer });
+            Report { routed, ..predicted(&Params::default()) }.faults(100).join("; ")
+        };
+        assert!(advice(Placer::Static).contains("not routed in 1 minutes a seed; try --placer heap,"));
+        assert!(advice(Placer::Heap).contains("try --placer static,"));
     }
 
     #[test]

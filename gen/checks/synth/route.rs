@@ -32,10 +32,20 @@ const PART: [&str; 7] = ["--85k", "--package", "CABGA756", "--speed", "6", "--ro
 /// What places the cells. No placer of nextpnr is the better one for all designs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Placer {
-    /// Spreads a design by its density: most designs have the higher clock with it.
+    /// Spreads a design by its density: the default design has 0.6 of the wire length that it has with the other.
     Static,
-    /// Solves for short nets and moves cells to legal places: what `static` makes too dense to be routed may be routed with it.
+    /// The default of nextpnr, which legalises into knots. The exact unit, which the other makes too dense, is routed in minutes.
     Heap,
+}
+
+impl Placer {
+    /// What to try where this one fails.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Static => Self::Heap,
+            Self::Heap => Self::Static,
+        }
+    }
 }
 
 impl Choice for Placer {
