@@ -54,11 +54,11 @@ fn change<'a>(bench: &'a Bench, mutant: &'a Mutant) -> (&'a str, &'a str) {
 /// The unchanged design and the runs that a mutant has to survive.
 pub struct Campaign {
     few: Bench,
-    probed: Bench,
-    many: Vec<Bench>,
+    /// With probes, whose inner nodes are compared: few pairs, then many.
+    probed: Vec<Bench>,
     /// The mutants of the design with probes, by name: of the same change in the same statement, at another place.
     twins: HashMap<String, Mutant>,
-    /// As many pairs without probes, for mutants of statements that the design with probes has in another form.
+    /// The many pairs without probes, for mutants of statements that the design with probes has in another form.
     plain: Vec<Bench>,
 }
 
@@ -71,7 +71,7 @@ impl Campaign {
         let bench =
             |count, seed, probed| Bench::new(params, vectors::stimulus(params, count, seed), options.simulator, probed);
         let few = bench(FEW, options.seed, false)?;
-        let probed = bench(PROBED, options.seed.wrapping_add(1), true)?;
+        let mut probed = vec![bench(PROBED, options.seed.wrapping_add(1), true)?];
         // A testbench runs no more pairs than these with gaps and back-pressure, and needs them to fill the unit.
         let most = testbench::paced(&Design::new(params, Probes::None)?);
         let runs: Vec<usize> = (0..options.vectors).step_by(most).collect();
@@ -86,13 +86,14 @@ impl Campaign {
         let changes: HashMap<String, (&str, &str)> =
             own.iter().map(|mutant| (mutant.name(), change(&few, mutant))).collect();
         let mut twins = HashMap::new();
-        for mutant in enumerate(probed.files(), params) {
-            if changes.get(&mutant.name()) == Some(&change(&probed, &mutant)) {
+        for mutant in enumerate(probed[0].files(), params) {
+            if changes.get(&mutant.name()) == Some(&change(&probed[0], &mutant)) {
                 twins.insert(mutant.name(), mutant);
             }
         }
         let plain = if twins.len() < own.len() { many(false)? } else { vec![] };
-        Ok(Self { many: many(true)?, few, probed, twins, plain })
+        probed.extend(many(true)?);
+        Ok(Self { few, probed, twins, plain })
     }
 
     /// Runs a mutant until something kills it.
@@ -100,11 +101,9 @@ impl Campaign {
     /// # Errors
     /// As [`Bench::run`].
     pub fn fate(&self, mutant: &Mutant) -> Result<Fate, CosimError> {
-        let (more, twin): (Vec<&Bench>, &Mutant) = match self.twins.get(&mutant.name()) {
-            Some(twin) => ([&self.probed].into_iter().chain(&self.many).collect(), twin),
-            None => (self.plain.iter().collect(), mutant),
-        };
-        let more = more.into_iter().map(|bench| (bench, twin));
+        let twin = self.twins.get(&mutant.name()).map(|twin| (&self.probed, twin));
+        let (more, twin) = twin.unwrap_or((&self.plain, mutant));
+        let more = more.iter().map(|bench| (bench, twin));
         for (bench, mutant) in [(&self.few, mutant)].into_iter().chain(more) {
             let (name, text) = file(bench, mutant);
             match bench.run(name, &mutant.apply(text))? {
