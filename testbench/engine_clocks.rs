@@ -103,7 +103,7 @@ fn pairs_and_poses(machine: &Machine, channels: &[Channel]) {
 
 fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
     let Some(machine) = machine(engine) else { return };
-    pairs_and_poses(&machine, &share(2, [&[Channel::default()], others].concat()));
+    pairs_and_poses(&machine, &share(4, [&[Channel::default()], others].concat()));
     let (images, queries) = queries(machine.design());
     let images = images.all();
     let first = replies(&machine, &queries, &images, &Channel::default());

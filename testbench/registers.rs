@@ -128,7 +128,7 @@ fn mistakes_in_the_registers_are_noticed() {
     let files = unit(&small());
     let Some(right) = bench(ghdl_of_long_runs(), &files) else { return };
     assert!(fine(&said(&right, &PASS)));
-    let unnoticed: Vec<&str> = share(12, MISTAKES)
+    let unnoticed: Vec<&str> = share(24, MISTAKES)
         .par_iter()
         .filter_map(|change| fine(&said_of(&right, &files, *change)).then_some(change.0))
         .collect();

@@ -1,6 +1,7 @@
 //! The schedules: optimal on small programs, as many registers in the modules as the program says, and on the default
 //! design within ten per cent of what a linear solver found (docs/schedule.md).
 
+use crate::extent::share;
 use efsat::design::{Design, Probes};
 use efsat::netlist::{Control, DelayLine, Driver, Instance, Module, Wire};
 use efsat::op::{Add, Comb, Type};
@@ -67,8 +68,8 @@ fn modules_have_the_registers_that_the_program_counts() {
             }
         }
     }
-    let wrong: Vec<String> = sets
-        .par_iter()
+    let wrong: Vec<String> = share(2, sets.iter())
+        .into_par_iter()
         .flat_map_iter(|params| {
             let design = Design::new(params, Probes::None).unwrap();
             let modules = design.top.hierarchy();

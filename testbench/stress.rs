@@ -114,7 +114,7 @@ fn no_parameter_set_answers_wrongly() {
     ];
     let mut complained = vec![];
     for (label, each, params) in sets {
-        let each = if full() { each } else { each.div_ceil(16) };
+        let each = if full() { each } else { each.div_ceil(32) };
         complained.extend(complaints(label, &params, &run(&params, &plan(&[], each, 0, 1))));
     }
     assert!(complained.is_empty(), "{}", complained.join("\n"));

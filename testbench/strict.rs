@@ -156,11 +156,11 @@ fn entity(name: &str) -> &str {
 #[test]
 fn every_generated_file_is_taken_without_a_warning() {
     let tools = &tools();
-    let jobs: Vec<(&str, Params, &Tool, &str)> = settings()
+    // On every change every second design, by one standard, in turn.
+    let jobs: Vec<(&str, Params, &Tool, &str)> = share(2, settings())
         .into_iter()
         .enumerate()
         .flat_map(|(i, (name, params))| {
-            // On every change one standard for each design, in turn.
             let standards = share(2, [["93", "08"], ["08", "93"]][i % 2]);
             let by = move |standard| tools.iter().map(move |tool| (tool, standard));
             standards.into_iter().flat_map(by).map(move |(tool, standard)| (name, params.clone(), tool, standard))

@@ -86,7 +86,7 @@ fn the_verilog_copy_is_the_same_every_time_and_lints() {
         ("--method exact --stream-width 128", ""),
         (&format!("{ENGINE} --device lfe5u-85-6"), ""),
     ];
-    for (options, name) in share(4, cases) {
+    for (options, name) in share(5, cases) {
         let (stem, core) =
             if options.contains("--engine") { ("efsat_engine", "efsat_engine") } else { ("efsat", "efsat_stream") };
         let options = format!("generate --verilog {options}");

@@ -1,7 +1,7 @@
 //! What a host in C computes without Rust, against the host here: images are read, poses become words, and pairs are retested.
 
 use super::*;
-use crate::extent::full;
+use crate::extent::{full, share};
 use efsat::Points;
 use efsat::engine::artefact::samples::{cuboid, hills, turn};
 use efsat::engine::host::{Image, ImageError, Numbers, Refusal};
@@ -320,7 +320,7 @@ fn poses_of_other_engines_become_the_same_words_in_c() {
         (EngineParams::default(), sticky, true),
     ];
     let mut rests = 0;
-    for (seed, (engine, unit, by_number)) in (2..).zip(cases) {
+    for (seed, (engine, unit, by_number)) in share(3, (2..).zip(cases)) {
         let design = if by_number { EngineDesign::by_number } else { EngineDesign::new };
         let home = generated(&design(&engine, &unit).unwrap());
         let host = home.path().join("rtl/host");

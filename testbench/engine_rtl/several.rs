@@ -62,6 +62,7 @@ fn several_engines_answer_as_one() {
 
 /// A mesh is written over: the one query that does not keep the caches empties those of both engines.
 #[test]
+#[ignore = "compiles two engines: scripts/test full"]
 fn no_engine_keeps_what_was_written_over() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &engines(2), &small());
@@ -88,6 +89,7 @@ fn no_engine_keeps_what_was_written_over() {
 
 /// A fault of memory ends the query whose burst it was; after a last word that came too late, or never, no wrong word is taken.
 #[test]
+#[ignore = "compiles two engines: scripts/test full"]
 fn a_fault_of_memory_is_for_the_engine_that_has_asked() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &EngineParams { watchdog: 1000, ..engines(2) }, &small());
