@@ -286,7 +286,7 @@ fn a_testbench_says_one_line_and_fails_after_a_mismatch() {
         ("--method determinants --clocks-per-pair 2 --stream-width 512", false),
         ("--method exact --stream-width 1024", false),
     ];
-    [share(2, small), in_full(others)].concat().par_iter().for_each(|(options, broken)| {
+    [share(3, small), in_full(others)].concat().par_iter().for_each(|(options, broken)| {
         let home = tempfile::tempdir().unwrap();
         let dir = home.path();
         succeeds(dir, &format!("generate --out rtl {options}"));

@@ -65,7 +65,7 @@ fn tried_with(
         [&["engine_layout"], parts].concat().iter().map(|part| text_of(part).as_str()).collect::<String>(),
     );
     test(&mut Entity::new(ghdl, name, text, &parts)).unwrap_or_else(|error| panic!("{name}: {error}"));
-    for (from, to) in share(5, changes) {
+    for (from, to) in share(8, changes) {
         // A place in both is as wrong as one that is twice in one of them.
         assert!(!(text.contains(from) && parts.contains(from)), "{from}");
         let (text, parts) =

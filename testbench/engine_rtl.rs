@@ -136,7 +136,7 @@ pub(crate) fn fine(report: &str) -> bool {
 /// Two meshes that cross each other, and a query.
 fn crossing(design: &EngineDesign) -> (Vec<Image>, impl Fn(&EngineVectors<'_>, &[Image]) -> Query) {
     let numbers = Numbers::new(&design.params, &design.unit.params).unwrap();
-    let meshes = [hills(6), cuboid(3, 4, 2)];
+    let meshes = if full() { [hills(6), cuboid(3, 4, 2)] } else { [hills(4), cuboid(2, 3, 2)] };
     let images = Image::build(&[&meshes[0], &meshes[1]], &design.format).unwrap();
     let query = move |vectors: &EngineVectors<'_>, images: &[Image]| {
         let side = |i: usize| (&images[i], vectors.side(i));
@@ -463,8 +463,9 @@ fn a_tree_that_is_too_high_is_refused() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     let large = EngineParams { block_lines: 1024, triangle_lines: 1024, ..block_ram() };
     let tall = EngineDesign::new(&large, &small()).unwrap();
-    let (images, _) = crossing(&tall);
-    let bench = Bench::new(ghdl, &EngineParams { tree_height: images[0].header().height, ..large }, &small());
+    // As high as the meshes of the generated testbench.
+    let height = Image::build(&[&hills(6)], &tall.format).unwrap()[0].header().height;
+    let bench = Bench::new(ghdl, &EngineParams { tree_height: height, ..large }, &small());
     let images = Image::build(&[&hills(12)], &tall.format).unwrap();
     let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
     let numbers = Numbers::new(&tall.params, &tall.unit.params).unwrap();

@@ -38,11 +38,14 @@ pub fn brute_force(a: &Mesh, b: &Mesh, pose: &Pose) -> Vec<(u32, u32)> {
     };
     let mut of_b: Vec<(u32, Bounds)> = (0..).zip(b.faces().iter().map(of_b)).collect();
     of_b.sort_by(|x, y| x.1.min.x.total_cmp(&y.1.min.x));
+    let widest = of_b.iter().map(|(_, there)| there.max.x - there.min.x).fold(0.0, f64::max);
     let m = pose.rows();
     let corners = |mesh: &Mesh, face: u32| mesh.triangle(face as usize).map(<[f64; 3]>::from);
     let row = |(p, here): (usize, &Bounds)| -> Vec<(u32, u32)> {
+        // Rounding cannot matter: boxes are widened by more.
+        let start = of_b.partition_point(|(_, there)| there.min.x < here.min.x - widest);
         let end = of_b.partition_point(|(_, there)| there.min.x <= here.max.x);
-        let near = of_b[..end].iter().filter(|(_, there)| here.overlaps(there));
+        let near = of_b[start..end].iter().filter(|(_, there)| here.overlaps(there));
         let touch = |q: u32| {
             let (x, y) = (corners(a, p as u32), corners(b, q));
             posed_pair(&x, &y, &m, &pose.translation().into()).unwrap() != Exact::Separate

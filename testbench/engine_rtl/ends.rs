@@ -18,7 +18,7 @@ fn a_query_after_a_soft_reset_is_right() {
     let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
     let itself = (&images[0], vectors.side(0));
     let query = numbers.query([itself; 2], &turn(1), &[0.5, 1.0, 1.0]).unwrap();
-    for (i, clocks) in (0..).zip([1, 70, 150, 290, 700, 1300]) {
+    for (i, clocks) in (0..).zip(share(2, [1, 70, 150, 290, 700, 1300])) {
         vectors.query(&Query { number: 1, ..query.clone() });
         vectors.query(&Query { number: 2, ..query.clone() });
         vectors.reset(clocks, (i % 2 == 0).then_some(i));
@@ -100,7 +100,7 @@ fn a_stop_ends_the_query_that_runs() {
     for engine in share(2, [axi(), block_ram()]) {
         let bench = Bench::new(ghdl, &engine, &small());
         let numbers = Numbers::new(&engine, &small()).unwrap();
-        let mesh = hills(8);
+        let mesh = hills(if full() { 8 } else { 4 });
         let images = Image::build(&[&mesh], &bench.design.format).unwrap();
         let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
         let pair = (&images[0], vectors.side(0));

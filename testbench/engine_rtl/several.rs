@@ -54,7 +54,8 @@ fn several_engines_answer_as_one() {
     vectors.reset(300, Some(9));
     vectors.query(&Query { number: 10, ..query });
     let quick = &["-gpasses=1"];
-    bench.notices(share(3, changes), &[vectors.text()], quick);
+    bench.passes(vectors.text(), quick);
+    bench.notices(in_full(changes), &[vectors.text()], quick);
     for own_ports in in_full([EngineParams { memory_ports: MemoryPorts::Each, ..engines(2) }]) {
         Bench::new(ghdl, &own_ports, &small()).passes(vectors.text(), quick);
     }

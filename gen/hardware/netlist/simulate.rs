@@ -6,8 +6,9 @@
 
 use super::module::{Driver, LINE_CLOCKS, Module, SignalId};
 use crate::op::{Comb, Resize, Type};
-use std::collections::HashMap;
+use std::collections::HashSet;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// What a dissolved signal does.
 #[derive(Clone, Debug)]
@@ -24,10 +25,17 @@ struct Cell {
     action: Action,
     /// Operands; of a memory: write, address, data, read; of a delay line: data, tap.
     args: Vec<usize>,
+    /// Their types.
+    types: Vec<Type>,
     ty: Type,
 }
 
 impl Cell {
+    /// Its operands are not known yet.
+    fn new(action: Action, ty: Type) -> Self {
+        Self { action, args: vec![], types: vec![], ty }
+    }
+
     fn dependencies(&self) -> Vec<usize> {
         let mut all = self.args.clone();
         if let Action::Register { enable, reset, .. } = &self.action {
@@ -66,10 +74,11 @@ const NARROW: u32 = 62;
 
 /// A simulation of one hierarchy.
 pub struct Simulation {
-    cells: Vec<Cell>,
+    cells: Arc<[Cell]>,
     lanes: Vec<Lane>,
     states: Vec<i128>,
-    memories: HashMap<usize, Vec<i128>>,
+    /// Words of a memory or of a delay line; of other cells none.
+    memories: Vec<Vec<i128>>,
     components: Vec<(bool, Vec<usize>)>,
     inputs: Vec<usize>,
     outputs: Vec<usize>,
@@ -111,7 +120,7 @@ impl Simulation {
         }
         for (cell, used) in cells.iter_mut().zip(&used) {
             if !used {
-                *cell = Cell { action: Action::Input, args: vec![], ty: Type::FLAG };
+                *cell = Cell::new(Action::Input, Type::FLAG);
             }
         }
         let mut part = Self::from_cells(cells, inputs, chosen, 1);
@@ -124,19 +133,23 @@ impl Simulation {
         self.components.iter().any(|(_, members)| members.contains(&self.inputs[input]))
     }
 
-    fn from_cells(cells: Vec<Cell>, inputs: Vec<usize>, outputs: Vec<usize>, block: usize) -> Self {
+    fn from_cells(mut cells: Vec<Cell>, inputs: Vec<usize>, outputs: Vec<usize>, block: usize) -> Self {
         let lanes = cells
             .iter()
             .map(|c| if c.ty.bits <= NARROW { Lane::Narrow(vec![0; block]) } else { Lane::Wide(vec![0; block]) })
             .collect();
         let states = vec![0; cells.len()];
+        for i in 0..cells.len() {
+            cells[i].types = cells[i].args.iter().map(|a| cells[*a].ty).collect();
+        }
         let words = |c: &Cell| match c.action {
-            Action::Memory => Some(1 << cells[c.args[1]].ty.bits),
-            Action::Line => Some(LINE_CLOCKS),
-            _ => None,
+            Action::Memory => 1 << c.types[1].bits,
+            Action::Line => LINE_CLOCKS,
+            _ => 0,
         };
-        let memories = cells.iter().enumerate().filter_map(|(i, c)| Some((i, vec![0; words(c)?]))).collect();
+        let memories = cells.iter().map(|c| vec![0; words(c)]).collect();
         let components = components(&cells);
+        let cells = cells.into();
         Self { cells, lanes, states, memories, components, inputs, outputs, block }
     }
 
@@ -188,11 +201,11 @@ impl Simulation {
             Action::Combinational(op) => self.apply(op, cell, t),
             Action::Memory => {
                 let read = self.lanes[self.cells[cell].args[3]].get(t) as usize;
-                self.memories[&cell][read]
+                self.memories[cell][read]
             }
             Action::Line => {
                 let tap = self.lanes[self.cells[cell].args[1]].get(t) as usize;
-                self.memories[&cell][tap]
+                self.memories[cell][tap]
             }
         };
         self.lanes[cell].set(t, value);
@@ -200,18 +213,14 @@ impl Simulation {
 
     fn apply(&self, op: &Comb, cell: usize, t: usize) -> i128 {
         let c = &self.cells[cell];
-        let mut args = [0i128; 32];
-        let mut types = [Type::FLAG; 32];
-        if c.args.len() <= 32 {
-            for (i, a) in c.args.iter().enumerate() {
-                args[i] = self.lanes[*a].get(t);
-                types[i] = self.cells[*a].ty;
-            }
-            return op.value(&args[..c.args.len()], &types[..c.args.len()], c.ty);
+        let (get, value) = (|a: usize| self.lanes[a].get(t), |args: &[i128]| op.value(args, &c.types, c.ty));
+        // Few operands need no memory of their own.
+        match c.args[..] {
+            [a] => value(&[get(a)]),
+            [a, b] => value(&[get(a), get(b)]),
+            [a, b, c] => value(&[get(a), get(b), get(c)]),
+            _ => value(&c.args.iter().map(|a| get(*a)).collect::<Vec<_>>()),
         }
-        let args: Vec<i128> = c.args.iter().map(|a| self.lanes[*a].get(t)).collect();
-        let types: Vec<Type> = c.args.iter().map(|a| self.cells[*a].ty).collect();
-        op.value(&args, &types, c.ty)
     }
 
     /// State after clock `t`.
@@ -231,18 +240,13 @@ impl Simulation {
             }
             Action::Memory if self.lanes[c.args[0]].get(t) != 0 => {
                 let address = self.lanes[c.args[1]].get(t) as usize;
-                let data = self.lanes[c.args[2]].get(t);
-                if let Some(words) = self.memories.get_mut(&cell) {
-                    words[address] = data;
-                }
+                self.memories[cell][address] = self.lanes[c.args[2]].get(t);
             }
             // The newest value stands first.
             Action::Line => {
-                let data = self.lanes[c.args[0]].get(t);
-                if let Some(words) = self.memories.get_mut(&cell) {
-                    words.rotate_right(1);
-                    words[0] = data;
-                }
+                let words = &mut self.memories[cell];
+                words.rotate_right(1);
+                words[0] = self.lanes[c.args[0]].get(t);
             }
             _ => {}
         }
@@ -250,7 +254,8 @@ impl Simulation {
 
     /// A cell outside any feedback, for all clocks of the block.
     fn whole_block(&mut self, cell: usize) {
-        match &self.cells[cell].action {
+        let cells = Arc::clone(&self.cells);
+        match &cells[cell].action {
             Action::Input => {}
             Action::Line => self.line(cell),
             Action::Memory => {
@@ -261,21 +266,17 @@ impl Simulation {
             }
             Action::Register { op, enable, reset } => {
                 // What it would load in each clock of the block, then what it shows.
-                let (op, enable, reset) = (op.clone(), *enable, *reset);
-                match &op {
+                match op {
                     None => self.copy(cell),
                     Some(op) => self.combinational(op, cell),
                 }
                 let state = self.states[cell];
                 self.states[cell] = match (enable, reset) {
                     (None, None) => self.delay(cell, state),
-                    _ => self.load(cell, enable, reset, state),
+                    _ => self.load(cell, *enable, *reset, state),
                 };
             }
-            Action::Combinational(op) => {
-                let op = op.clone();
-                self.combinational(&op, cell);
-            }
+            Action::Combinational(op) => self.combinational(op, cell),
         }
     }
 
@@ -310,7 +311,7 @@ impl Simulation {
     fn line(&mut self, cell: usize) {
         let mut lane = std::mem::replace(&mut self.lanes[cell], Lane::Narrow(vec![]));
         let [data, tap] = [0, 1].map(|k| &self.lanes[self.cells[cell].args[k]]);
-        let Some(before) = self.memories.get_mut(&cell) else { return };
+        let before = &mut self.memories[cell];
         for t in 0..self.block {
             let clocks = tap.get(t) as usize + 1;
             lane.set(t, if clocks <= t { data.get(t - clocks) } else { before[clocks - t - 1] });
@@ -344,13 +345,17 @@ impl Simulation {
 
     /// An operation on 64-bit lanes; false if it has wider ones.
     fn narrow(&self, op: &Comb, cell: usize, result: &mut Lane) -> bool {
-        let Lane::Narrow(results) = result else { return false };
-        let lane = |a: &usize| match &self.lanes[*a] {
+        let (Lane::Narrow(results), c) = (result, &self.cells[cell]) else { return false };
+        let lane = |a: usize| match &self.lanes[a] {
             Lane::Narrow(v) => Some(v.as_slice()),
             Lane::Wide(_) => None,
         };
-        let lanes: Option<Vec<&[i64]>> = self.cells[cell].args.iter().map(lane).collect();
-        lanes.is_some_and(|lanes| op.lanes(&lanes, self.cells[cell].ty, results))
+        let mut over = |lanes: &[&[i64]]| op.lanes(lanes, c.ty, results);
+        match c.args[..] {
+            [a] => lane(a).is_some_and(|a| over(&[a])),
+            [a, b] => lane(a).zip(lane(b)).is_some_and(|(a, b)| over(&[a, b])),
+            _ => c.args.iter().map(|a| lane(*a)).collect::<Option<Vec<_>>>().is_some_and(|lanes| over(&lanes)),
+        }
     }
 }
 
@@ -375,7 +380,7 @@ fn dissolve(module: &Rc<Module>, args: Option<&[usize]>, cells: &mut Vec<Cell>, 
             Driver::Instance { .. } => continue,
         };
         own[i] = cells.len();
-        cells.push(Cell { action, args: vec![], ty: signal.ty });
+        cells.push(Cell::new(action, signal.ty));
     }
     if args.is_none() {
         inputs.extend(module.inputs.iter().map(|p| own[p.0]));
@@ -384,8 +389,7 @@ fn dissolve(module: &Rc<Module>, args: Option<&[usize]>, cells: &mut Vec<Cell>, 
     for (i, signal) in module.signals.iter().enumerate() {
         if matches!(signal.driver, Driver::Instance { .. }) {
             own[i] = cells.len();
-            let action = Action::Combinational(Resize(signal.ty).into());
-            cells.push(Cell { action, args: vec![], ty: signal.ty });
+            cells.push(Cell::new(Action::Combinational(Resize(signal.ty).into()), signal.ty));
         }
     }
     let id = |s: &SignalId| own[s.0];
@@ -473,8 +477,8 @@ fn combinational_order(cells: &[Cell], members: Vec<usize>) -> Vec<usize> {
     if members.len() == 1 {
         return members;
     }
-    let inside: HashMap<usize, ()> = members.iter().map(|m| (*m, ())).collect();
-    let mut done: HashMap<usize, ()> = HashMap::new();
+    let inside: HashSet<usize> = members.iter().copied().collect();
+    let mut done = HashSet::new();
     let mut order = vec![];
     let mut sorted = members;
     sorted.sort_unstable();
@@ -490,11 +494,11 @@ fn combinational_order(cells: &[Cell], members: Vec<usize>) -> Vec<usize> {
     for m in sorted {
         let mut stack = vec![(m, false)];
         while let Some((cell, ready)) = stack.pop() {
-            if done.contains_key(&cell) || !inside.contains_key(&cell) {
+            if done.contains(&cell) || !inside.contains(&cell) {
                 continue;
             }
             if ready {
-                done.insert(cell, ());
+                done.insert(cell);
                 order.push(cell);
             } else {
                 stack.push((cell, true));
