@@ -1,7 +1,7 @@
 //! The collision engine in Verilator: answers of queries of the default scene against the reference model, with and without
 //! gaps, and the clocks that they take, so that a change that makes the engine slower is noticed.
 
-use crate::extent::share;
+use crate::extent::{in_full, share};
 use crate::tools::made;
 use efsat::artefact::Stimulus;
 use efsat::engine::artefact::EngineDesign;
@@ -103,7 +103,7 @@ fn pairs_and_poses(machine: &Machine, channels: &[Channel]) {
 
 fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
     let Some(machine) = machine(engine) else { return };
-    pairs_and_poses(&machine, &share(4, [&[Channel::default()], others].concat()));
+    pairs_and_poses(&machine, &[&[Channel::default()][..], &in_full(others.iter().cloned())].concat());
     let (images, queries) = queries(machine.design());
     let images = images.all();
     let first = replies(&machine, &queries, &images, &Channel::default());

@@ -272,7 +272,7 @@ fn pairs_and_poses_come_in_turn_with_queries() {
 
 /// Mistakes in the text, each with options that show it.
 #[test]
-#[ignore = "mistakes are tried in each entity: scripts/test full"]
+#[ignore = "compiles an engine twelve times: scripts/test full"]
 fn a_wrong_engine_is_noticed() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     let quick: &[&str] = &["-gpasses=1"];
@@ -461,7 +461,7 @@ fn caches_are_emptied() {
 #[test]
 fn a_tree_that_is_too_high_is_refused() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
-    let large = EngineParams { block_lines: 1024, triangle_lines: 1024, ..block_ram() };
+    let large = EngineParams { block_lines: 512, triangle_lines: 512, ..block_ram() };
     let tall = EngineDesign::new(&large, &small()).unwrap();
     // As high as the meshes of the generated testbench.
     let height = Image::build(&[&hills(6)], &tall.format).unwrap()[0].header().height;

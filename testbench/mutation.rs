@@ -145,7 +145,9 @@ fn co_simulation_kills_mutants_of_every_kind() {
     let of_kind = |kind: Kind| spread(all.iter().filter(|m| m.kind == kind).cloned().collect(), each);
     let slice: Vec<Mutant> = Kind::ALL.into_iter().flat_map(of_kind).collect();
     assert_eq!(slice.len(), 7 * each);
-    let campaign = Campaign::new(&params, &Options { simulator: Simulator::Ghdl, vectors: 64, seed: 1 }).unwrap();
+    let campaign =
+        Campaign::new(&params, &Options { simulator: Simulator::Ghdl, vectors: if full() { 64 } else { 32 }, seed: 1 })
+            .unwrap();
     let run = |mutant: Mutant| {
         let fate = campaign.fate(&mutant).unwrap();
         Entry::new(mutant, fate, &explained::vhdl(&params))

@@ -239,7 +239,7 @@ fn every_analyser_sees_what_is_wrong() {
 
 #[test]
 fn the_lint_passes_every_generated_file() {
-    let findings: Vec<String> = settings()
+    let findings: Vec<String> = share(2, settings())
         .par_iter()
         .flat_map(|(name, params)| {
             let set = files(params);

@@ -152,7 +152,8 @@ fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
 #[test]
 #[ignore = "a minute or more: scripts/test full"]
 fn ecp5_is_placed_and_routed() {
-    for way in [(Placer::Static, Router::One), (Placer::Heap, Router::Two)] {
+    let (of, by) = ([Placer::Static, Placer::Heap], [Router::One, Router::Two]);
+    for way in of.into_iter().flat_map(|placer| by.map(|router| (placer, router))) {
         let dir = TempDir::new().unwrap();
         let Some(report) = report(&smallest_on("lfe5u-85-6"), 1, way, Some(dir.path())) else { return };
         let routed = report.routed.as_ref().unwrap();

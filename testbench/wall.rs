@@ -63,7 +63,7 @@ fn maps_are_right_and_guarded_for_every_parameter_set() {
         Params { width: 32, transform_width: 48, upper: Upper::Sticky, ..plain() },
     ];
     let mut wrong = vec![];
-    for params in &share(3, sets) {
+    for params in &share(5, sets) {
         for contact in &CONTACTS {
             let (_, _, report) = drawn(contact, Step::Working, params);
             // With the paper's roundings the band is a cell wide at least.

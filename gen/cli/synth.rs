@@ -43,7 +43,7 @@ pub(super) struct Arguments {
     /// What places the cells: heap routes what static makes too dense, such as exact at a pair per clock [default: static]
     #[arg(long, value_name = "NAME", value_parser = choice::<Placer>())]
     placer: Option<Placer>,
-    /// What routes the nets: router2 ends where router1 does not, as with the engine [default: router1]
+    /// What routes the nets, both of nextpnr: router1 net by net, router2 all at once and again [default: router1]
     #[arg(long, value_name = "NAME", value_parser = choice::<Router>())]
     router: Option<Router>,
     /// Stop after Yosys: no placement, no clock

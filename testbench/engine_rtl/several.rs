@@ -7,7 +7,7 @@ fn engines(engines: u32) -> EngineParams {
     EngineParams { engines, ..axi() }
 }
 
-/// Everything that one engine answers, in any order, and mistakes in what is around the engines are noticed.
+/// Everything that one engine answers, in any order; in full, mistakes in what is around the engines are noticed.
 #[test]
 fn several_engines_answer_as_one() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };

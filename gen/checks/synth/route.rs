@@ -64,7 +64,7 @@ impl Choice for Placer {
 pub enum Router {
     /// The default of nextpnr: net by net, by their delays. It does not end where many nets want the same wires.
     One,
-    /// All nets at once, again and again until no wire has two. The engine is routed so.
+    /// All nets at once, again and again until no wire has two.
     Two,
 }
 

@@ -160,7 +160,7 @@ fn clock(text: &mut String, routed: &Routed, target: u32) {
     };
     let seeds: Vec<String> = routed.seeds.iter().map(megahertz).collect();
     let (placer, router) = (routed.placer.name(), routed.router.name());
-    let seeds = format!("{} (placer {placer}, {router}, seeds 1 to {})", seeds.join(", "), seeds.len());
+    let seeds = format!("{} (placer {placer}, router {router}, seeds 1 to {})", seeds.join(", "), seeds.len());
     let Some(middle) = routed.middle() else {
         let _ = writeln!(text, "clock: not routed in time, median of {seeds}");
         return;

@@ -8,7 +8,6 @@ use super::module::{Driver, LINE_CLOCKS, Module, SignalId};
 use crate::op::{Comb, Resize, Type};
 use std::collections::HashSet;
 use std::rc::Rc;
-use std::sync::Arc;
 
 /// What a dissolved signal does.
 #[derive(Clone, Debug)]
@@ -74,7 +73,7 @@ const NARROW: u32 = 62;
 
 /// A simulation of one hierarchy.
 pub struct Simulation {
-    cells: Arc<[Cell]>,
+    cells: Rc<[Cell]>,
     lanes: Vec<Lane>,
     states: Vec<i128>,
     /// Words of a memory or of a delay line; of other cells none.
@@ -212,14 +211,14 @@ impl Simulation {
     }
 
     fn apply(&self, op: &Comb, cell: usize, t: usize) -> i128 {
-        let c = &self.cells[cell];
-        let (get, value) = (|a: usize| self.lanes[a].get(t), |args: &[i128]| op.value(args, &c.types, c.ty));
+        let Cell { args, types, ty, .. } = &self.cells[cell];
+        let (get, value) = (|a: usize| self.lanes[a].get(t), |args: &[i128]| op.value(args, types, *ty));
         // Few operands need no memory of their own.
-        match c.args[..] {
+        match args[..] {
             [a] => value(&[get(a)]),
             [a, b] => value(&[get(a), get(b)]),
             [a, b, c] => value(&[get(a), get(b), get(c)]),
-            _ => value(&c.args.iter().map(|a| get(*a)).collect::<Vec<_>>()),
+            _ => value(&args.iter().map(|a| get(*a)).collect::<Vec<_>>()),
         }
     }
 
@@ -254,7 +253,7 @@ impl Simulation {
 
     /// A cell outside any feedback, for all clocks of the block.
     fn whole_block(&mut self, cell: usize) {
-        let cells = Arc::clone(&self.cells);
+        let cells = Rc::clone(&self.cells);
         match &cells[cell].action {
             Action::Input => {}
             Action::Line => self.line(cell),
@@ -345,7 +344,8 @@ impl Simulation {
 
     /// An operation on 64-bit lanes; false if it has wider ones.
     fn narrow(&self, op: &Comb, cell: usize, result: &mut Lane) -> bool {
-        let (Lane::Narrow(results), c) = (result, &self.cells[cell]) else { return false };
+        let Lane::Narrow(results) = result else { return false };
+        let c = &self.cells[cell];
         let lane = |a: usize| match &self.lanes[a] {
             Lane::Narrow(v) => Some(v.as_slice()),
             Lane::Wide(_) => None,

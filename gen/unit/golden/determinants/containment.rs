@@ -1,6 +1,6 @@
 //! Sections 7.3 to 7.5 of docs/determinants.md by enumeration: at 2 bits, where coordinates are -1, 0 and 1, each bound
 //! contains the error of its number for all points, all errors of a level, all spans and all kinds of bounds but `products`,
-//! which takes six bits. Levels from 3 on are for R from 32 on. A sixth of the first columns is tried on every change.
+//! which takes six bits. Levels from 3 on are for R from 32 on. A thirteenth of the first columns is tried on every change.
 
 use super::bounds::Bounds;
 use super::coordinates::Coordinates;
@@ -114,7 +114,7 @@ fn each_bound_contains_the_error_of_its_number() {
         let rest = (x..COLUMNS).flat_map(|y| (x..COLUMNS).map(move |z| [x, y, z]));
         rest.map(|columns| greatest_parts(&Points::new(columns.map(column)), &kinds)).fold([0; 3], greater)
     };
-    let share = if full() { 1 } else { 6 };
+    let share = if full() { 1 } else { 13 };
     let greatest =
         (0..COLUMNS).step_by(share).collect::<Vec<_>>().into_par_iter().map(first).reduce(|| [0; 3], greater);
     // So a quarter of a bound would be found to be broken.
