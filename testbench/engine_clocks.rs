@@ -1,7 +1,7 @@
 //! The collision engine in Verilator: answers of queries of the default scene against the reference model, with and without
 //! gaps, and the clocks that they take, so that a change that makes the engine slower is noticed.
 
-use crate::extent::{in_full, share};
+use crate::extent::in_full;
 use crate::tools::made;
 use efsat::artefact::Stimulus;
 use efsat::engine::artefact::EngineDesign;
@@ -107,7 +107,7 @@ fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
     let (images, queries) = queries(machine.design());
     let images = images.all();
     let first = replies(&machine, &queries, &images, &Channel::default());
-    for channel in share(2, others) {
+    for channel in in_full(others) {
         replies(&machine, &queries, &images, channel);
     }
     // The comparison notices what is wrong.

@@ -1,5 +1,6 @@
 //! Effects: the planned unit of a scene says what the full one says, `efsat scene plan` and `efsat scene run`.
 
+use crate::extent::share;
 use crate::tools::program::{command, efsat, object, ran, refuses, succeeds};
 use crate::tools::{ghdl, made};
 use efsat::collide::hierarchy::{Directions, Scratch};
@@ -477,14 +478,16 @@ fn runs_do_not_depend_on_the_number_of_threads() {
     fs::write(home.path().join("s.toml"), scene).unwrap();
     let with = |threads: &str, line: &str| ran(command(&home, line).env("RAYON_NUM_THREADS", threads));
     let run = |threads: &str| {
-        let [one, two] = ["json", "summary"].map(|how| {
+        let said = share(2, ["json", "summary"]).into_iter().map(|how| {
             let options =
                 "--simulator builtin --sample 40 --close 30 --csv r.csv --pairs p.csv --picture p.png --view v.html";
-            with(threads, &format!("scene run s.toml --{how} {options}"))
+            let said = with(threads, &format!("scene run s.toml --{how} {options}"));
+            assert_eq!(said.0, Some(0), "{}", said.2);
+            said
         });
-        assert_eq!((one.0, two.0), (Some(0), Some(0)), "{} {}", one.2, two.2);
+        let said: Vec<_> = said.collect();
         let files = ["r.csv", "p.csv", "p.png", "v.html"].map(|name| fs::read(home.path().join(name)).unwrap());
-        (one, two, files)
+        (said, files)
     };
     assert_eq!(run("1"), run("2"));
     // Plans but for the measured time.

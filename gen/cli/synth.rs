@@ -7,7 +7,7 @@ use super::error::Failure;
 use super::output::{print, print_json};
 use super::params::{EngineArguments, ParamArguments, choice, whole};
 use super::{file, progress};
-use efsat_checks::synth::{self, Flow, Options, Placer, Report, Router, Subject};
+use efsat_checks::synth::{self, Flow, Options, Placer, Report, Subject};
 use efsat_engine::artefact::EngineDesign;
 use efsat_hardware::device;
 use efsat_unit::design::{Design, Probes};
@@ -43,14 +43,11 @@ pub(super) struct Arguments {
     /// What places the cells: heap routes what static makes too dense, such as exact at a pair per clock [default: static]
     #[arg(long, value_name = "NAME", value_parser = choice::<Placer>())]
     placer: Option<Placer>,
-    /// What routes the nets, both of nextpnr: router1 net by net, router2 all at once and again [default: router1]
-    #[arg(long, value_name = "NAME", value_parser = choice::<Router>())]
-    router: Option<Router>,
     /// Stop after Yosys: no placement, no clock
-    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer", "router"])]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer"])]
     no_route: bool,
     /// The device model's counts and clock alone: no tool runs
-    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer", "router", "no_route", "keep"])]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer", "no_route", "keep"])]
     predict: bool,
     /// Leave sources, netlists, logs and reports in DIR
     #[arg(long, value_name = "DIR")]
@@ -80,7 +77,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("--seeds", arguments.seeds.is_some()),
         ("--minutes", arguments.minutes.is_some()),
         ("--placer", arguments.placer.is_some()),
-        ("--router", arguments.router.is_some()),
     ];
     if let Some((option, _)) = of_placement.into_iter().find(|(_, given)| *given && !flow.routes()) {
         return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; expected --flow ecp5", flow.name())));
@@ -98,9 +94,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };
     let limit = Duration::from_secs(60 * u64::from(arguments.minutes.unwrap_or(MINUTES)));
-    let (placer, router) = (arguments.placer.unwrap_or(Placer::Static), arguments.router.unwrap_or(Router::One));
+    let placer = arguments.placer.unwrap_or(Placer::Static);
     arguments.keep.iter().try_for_each(|dir| file::named(dir, "directory"))?;
-    let options = Options { flow, seeds, limit, placer, router, keep: arguments.keep.clone() };
+    let options = Options { flow, seeds, limit, placer, keep: arguments.keep.clone() };
     let spinner = progress::spinner("synthesising");
     let step = |what: &str| spinner.set_message(what.to_owned());
     let report = synth::run(&subject, &command_line, &options, &step)?;

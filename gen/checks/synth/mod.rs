@@ -39,7 +39,7 @@ pub use self::{
     cells::Cells,
     critical_path::{CriticalPath, Step},
     error::{SynthError, ToolError},
-    route::{Placed, Placer, Routed, Router},
+    route::{Placed, Placer, Routed},
     slices::Slices,
     static_timing::Timing,
 };
@@ -65,8 +65,6 @@ pub struct Options {
     pub limit: Duration,
     /// What places the cells.
     pub placer: Placer,
-    /// What routes the nets.
-    pub router: Router,
     /// Where to leave sources, netlists, logs and reports; a temporary folder if none.
     pub keep: Option<PathBuf>,
 }
@@ -134,8 +132,8 @@ impl Report {
                 Some(median) => faults.push(format!("{median:.1} MHz instead of {target} (median of the seeds)")),
                 None => {
                     let minutes = routed.limit.as_secs() / 60;
-                    let [placer, router] = [routed.placer.other().name(), routed.router.other().name()];
-                    let advice = format!("try --placer {placer}, --router {router}, more --seeds or more --minutes");
+                    let other = routed.placer.other().name();
+                    let advice = format!("try --placer {other}, more --seeds or more --minutes");
                     faults.push(format!("not routed in {minutes} minutes a seed; {advice}"));
                 }
             }
@@ -241,15 +239,14 @@ mod tests {
     }
 
     #[test]
-    fn the_others_are_advised_where_a_placement_does_not_end() {
+    fn another_placer_is_advised_where_one_does_not_end() {
         let limit = Duration::from_secs(60);
-        let advice = |placer, router| {
-            let routed = Some(Routed { seeds: vec![None], limit, placer, router });
+        let advice = |placer| {
+            let routed = Some(Routed { seeds: vec![None], limit, placer });
             Report { routed, ..predicted(&Params::default()) }.faults(100).join("; ")
         };
-        let said = advice(Placer::Static, Router::One);
-        assert!(said.contains("not routed in 1 minutes a seed; try --placer heap, --router router2,"), "{said}");
-        assert!(advice(Placer::Heap, Router::Two).contains("try --placer static, --router router1,"));
+        assert!(advice(Placer::Static).contains("not routed in 1 minutes a seed; try --placer heap,"));
+        assert!(advice(Placer::Heap).contains("try --placer static,"));
     }
 
     #[test]

@@ -26,8 +26,8 @@ const PACKED: &str = "packed.json";
 /// Placements at a time: each takes more than half a gigabyte.
 const AT_A_TIME: usize = 2;
 
-/// The part.
-const PART: [&str; 5] = ["--85k", "--package", "CABGA756", "--speed", "6"];
+/// The part, and how it is routed.
+const PART: [&str; 7] = ["--85k", "--package", "CABGA756", "--speed", "6", "--router", "router1"];
 
 /// What places the cells. No placer of nextpnr is the better one for all designs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,36 +59,6 @@ impl Choice for Placer {
     }
 }
 
-/// What routes the nets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Router {
-    /// The default of nextpnr: net by net, by their delays. It does not end where many nets want the same wires.
-    One,
-    /// All nets at once, again and again until no wire has two.
-    Two,
-}
-
-impl Router {
-    /// What to try where this one fails.
-    pub fn other(self) -> Self {
-        match self {
-            Self::One => Self::Two,
-            Self::Two => Self::One,
-        }
-    }
-}
-
-impl Choice for Router {
-    const ALL: &'static [Self] = &[Self::One, Self::Two];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::One => "router1",
-            Self::Two => "router2",
-        }
-    }
-}
-
 /// A placement, routed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
@@ -109,8 +79,6 @@ pub struct Routed {
     pub limit: Duration,
     /// What placed them.
     pub placer: Placer,
-    /// What routed them.
-    pub router: Router,
 }
 
 impl Routed {
@@ -183,7 +151,7 @@ pub(super) fn run(
     dir: &Path,
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Routed, ToolError> {
-    let &Options { seeds, limit, placer, router, .. } = options;
+    let &Options { seeds, limit, placer, .. } = options;
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
     let done = AtomicU32::new(0);
@@ -195,7 +163,7 @@ pub(super) fn run(
         result
     };
     let seeds = pool.install(|| (1..=seeds).into_par_iter().map(seed).collect::<Result<Vec<_>, _>>())?;
-    Ok(Routed { seeds, limit, placer, router })
+    Ok(Routed { seeds, limit, placer })
 }
 
 fn one(
@@ -210,9 +178,8 @@ fn one(
     let (number, frequency) = (seed.to_string(), frequency.to_string());
     let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
     let files = ["--json", PACKED, "--report", &report];
-    let way = ["--placer", options.placer.name(), "--router", options.router.name()];
-    let wanted = ["--freq", &frequency, "--seed", &number];
-    let args = [&PART[..], &lenient, &files, &way, &wanted].concat();
+    let chosen = ["--placer", options.placer.name(), "--freq", &frequency, "--seed", &number];
+    let args = [&PART[..], &lenient, &files, &chosen].concat();
     let path = dir.join(&report);
     // One of an earlier run would stand beside the log of this one.
     if path.exists() {
@@ -241,7 +208,7 @@ mod tests {
         let placed = |megahertz: f64| Placed { megahertz, critical: CriticalPath::default(), used: BTreeMap::new() };
         let median = |all: &[Option<f64>]| {
             let seeds = all.iter().map(|megahertz| megahertz.map(placed)).collect();
-            Routed { seeds, limit: Duration::ZERO, placer: Placer::Static, router: Router::One }.median()
+            Routed { seeds, limit: Duration::ZERO, placer: Placer::Static }.median()
         };
         assert_eq!(median(&[Some(90.0)]), Some(90.0));
         assert_eq!(median(&[Some(120.0), Some(80.0), Some(100.0)]), Some(100.0));

@@ -159,8 +159,7 @@ fn clock(text: &mut String, routed: &Routed, target: u32) {
         None => format!("none in {} minutes", routed.limit.as_secs() / 60),
     };
     let seeds: Vec<String> = routed.seeds.iter().map(megahertz).collect();
-    let (placer, router) = (routed.placer.name(), routed.router.name());
-    let seeds = format!("{} (placer {placer}, router {router}, seeds 1 to {})", seeds.join(", "), seeds.len());
+    let seeds = format!("{} (placer {}, seeds 1 to {})", seeds.join(", "), routed.placer.name(), seeds.len());
     let Some(middle) = routed.middle() else {
         let _ = writeln!(text, "clock: not routed in time, median of {seeds}");
         return;

@@ -1,6 +1,6 @@
 //! What one parameter set takes of its device, and how fast it is.
 
-use efsat_checks::synth::{self, Flow, Options, Placer, Router, Subject, SynthError};
+use efsat_checks::synth::{self, Flow, Options, Placer, Subject, SynthError};
 use efsat_hardware::device;
 use efsat_unit::design::top::DesignError;
 use efsat_unit::design::{Design, Probes};
@@ -67,14 +67,8 @@ impl Hardware {
 /// That a tool is missing or fails.
 pub fn synthesise(params: &Params) -> Result<Cells, SynthError> {
     let device = device::find(&params.device).map_err(DesignError::from)?;
-    let options = Options {
-        flow: Flow::of(device),
-        seeds: 0,
-        limit: Duration::ZERO,
-        placer: Placer::Static,
-        router: Router::One,
-        keep: None,
-    };
+    let options =
+        Options { flow: Flow::of(device), seeds: 0, limit: Duration::ZERO, placer: Placer::Static, keep: None };
     let design = Design::new(params, Probes::None)?;
     let report = synth::run(&Subject::Unit(&design), &params.command_line(), &options, &|_| {})?;
     Ok(report.cells().into())
