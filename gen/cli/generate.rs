@@ -8,6 +8,7 @@ use super::params::{EngineArguments, ParamArguments, choice};
 use efsat_checks::synth::{SynthError, verilog};
 use efsat_engine::artefact::{EngineExtras, engine_design_files_with, engine_verilog_files, samples};
 use efsat_engine::ready::{ENGINES, ready_files};
+use efsat_hardware::device::Device;
 use efsat_hardware::estimate;
 use efsat_unit::artefact::{
     DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, dump_files, programme_files,
@@ -132,10 +133,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         print(&written.to_string())?
     }
-    if let Some((kind, used, there)) = estimate::whole(&design.top, design.device).shortage(&design.device.capacity) {
-        warn(&format!("{} has {there} {kind}; the design is predicted to take {used}", design.device.name));
-    }
+    let shortages = estimate::whole(&design.top, design.device).shortages(&design.device.capacity);
+    warn_of(design.device, &shortages);
     Ok(())
+}
+
+/// Says what does not fit on a device.
+fn warn_of(device: &Device, shortages: &[(&str, u64, u64)]) {
+    for (kind, used, there) in shortages {
+        warn(&format!("{} has {there} {kind}; the design is predicted to take {used}", device.name));
+    }
 }
 
 /// Refuses a clock that the longest operation between registers does not hold.
@@ -341,13 +348,11 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         print(&written.to_string())?
     }
-    if let Some((kind, used, there)) = cells.resources.shortage(&device.capacity) {
-        warn(&format!("{} has {there} {kind}; the design is predicted to take {used}", device.name));
+    let mut shortages = cells.resources.shortages(&device.capacity);
+    if cells.block_rams > device.block_rams.into() {
+        shortages.push(("block RAMs", cells.block_rams, device.block_rams.into()));
     }
-    if written.block_rams > device.block_rams.into() {
-        let EngineWritten { device, block_rams, block_rams_of_device: there, .. } = written;
-        warn(&format!("{device} has {there} block RAMs; the design is predicted to take {block_rams}"));
-    }
+    warn_of(device, &shortages);
     Ok(())
 }
 

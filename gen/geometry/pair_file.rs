@@ -134,7 +134,7 @@ pub fn read(name: &str) -> Result<Vec<Points>, PairFileError> {
     Reader::open(name)?.all()
 }
 
-/// Reads CSV: 18 numbers a row, a first row none of whose fields is a number is a header, empty lines are skipped. A
+/// Reads CSV: 18 numbers a row, a first row none of whose fields begins as a number does is a header, empty lines are skipped. A
 /// decimal stands for the nearest binary64 number.
 ///
 /// `name` is used in messages.
@@ -314,9 +314,11 @@ fn in_order(found: Vec<Result<Points, PairFileError>>) -> Result<Vec<Points>, Pa
     found.into_iter().collect()
 }
 
-/// Whether no field of a row is a number, though commas separate them.
+/// Whether a row is text none of whose fields begins as a number does, though commas separate them. Damaged numbers are no header.
 fn is_header(row: &[u8]) -> bool {
-    separator(row).is_none() && fields(row).all(|field| number(field).is_none())
+    let begins_a_number = |field: &[u8]| field.first().is_some_and(|b| b.is_ascii_digit() || b"+-.".contains(b));
+    let is_text = !row.contains(&0) && std::str::from_utf8(row).is_ok();
+    is_text && separator(row).is_none() && fields(row).all(|field| number(field).is_none() && !begins_a_number(field))
 }
 
 /// The pair of a row.
@@ -436,6 +438,11 @@ mod tests {
                 .contains("line 1, column 1: found \"O\"")
         );
         assert!(message(ROW.replacen('0', "NaN", 1).as_bytes()).contains("line 1, column 1"));
+        // Nor damaged numbers, nor UTF-16.
+        assert!(message(format!("{}\n{ROW}", vec!["0.0.0"; 18].join(",")).as_bytes()).contains("line 1, column 1"));
+        assert!(message(format!("1_0,1_0\n{ROW}").as_bytes()).contains("line 1: found 2 fields"));
+        let wide: Vec<u8> = format!("\u{feff}{ROW}").encode_utf16().flat_map(u16::to_le_bytes).collect();
+        assert!(message(&wide).contains("line 1, column 1"));
         let mut garbage = format!("{ROW}\n").into_bytes();
         garbage.extend(ROW.replacen("1e", "\u{7}", 1).bytes().map(|b| if b == 7 { 0xff } else { b }));
         assert!(message(&garbage).contains("line 2, column 18"));

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
--- p = x * y, exact, by sign cases: two products.
+-- p contains x * y, by sign cases: two products, none rounded. Wider than x * y only where both straddle 0.
 --
 --   x \ y   y_lo >= 0                   y_hi <= 0                   y straddles 0
 --   x_lo>=0  [x_lo*y_lo, x_hi*y_hi]      [x_hi*y_lo, x_lo*y_hi]      [x_hi*y_lo, x_hi*y_hi]

@@ -105,8 +105,8 @@ impl Report {
     /// Whether the cells are there on the part, which a placer finds out late.
     fn fits(&self) -> Result<(), SynthError> {
         let part = self.counted_for;
-        match self.cells().shortage(&part.capacity) {
-            Some((kind, used, there)) => Err(SynthError::Part { part: part.name, kind, used, there }),
+        match self.cells().shortages(&part.capacity).first() {
+            Some(&(kind, used, there)) => Err(SynthError::Part { part: part.name, kind, used, there }),
             None => Ok(()),
         }
     }

@@ -70,6 +70,12 @@ fn parse(text: &str) -> Result<Device, String> {
     })?;
     let like = known(&own.like).map_err(|e| format!("like {}: {}", e.found, e.why))?;
     word("name", &own.name)?;
+    if known(&own.name).is_ok() {
+        return Err(format!("name = {:?}: expected a name that no part of efsat has", own.name));
+    }
+    if own.memory_luts > own.luts {
+        return Err(format!("memory_luts = {}: expected at most luts, {}", own.memory_luts, own.luts));
+    }
     let names = [
         ("family", &own.part.family),
         ("device", &own.part.device),
@@ -96,6 +102,10 @@ fn parse(text: &str) -> Result<Device, String> {
         _ => like.adder,
     };
     let clock_to_output = delay("clock_to_output", own.clock_to_output, like.clock_to_output, 0.01)?;
+    let (net, wide_net) = (delay("net", own.net, like.net, 0.0)?, delay("wide_net", own.wide_net, like.wide_net, 0.0)?);
+    if wide_net < net {
+        return Err(format!("wide_net = {wide_net}: expected at least net, {net}"));
+    }
     Ok(Device {
         name: own.name.leak(),
         part: super::Part { family, device, package, speed },
@@ -114,8 +124,8 @@ fn parse(text: &str) -> Result<Device, String> {
         product_to_output: clock_to_output + like.product_to_output - like.clock_to_output,
         setup: delay("setup", own.setup, like.setup, 0.0)?,
         lut: delay("lut", own.lut, like.lut, 0.01)?,
-        net: delay("net", own.net, like.net, 0.0)?,
-        wide_net: delay("wide_net", own.wide_net, like.wide_net, 0.0)?,
+        net,
+        wide_net,
         carry: delay("carry", own.carry, like.carry, 0.01)?,
         carry_bit: delay("carry_bit", own.carry_bit, like.carry_bit, 0.0)?,
         product,
@@ -167,6 +177,15 @@ mod tests {
             with("lut = 0.05", "product_behind_register = 9"),
             "product_behind_register = 9: expected at most product, 4.036"
         );
+        assert_eq!(
+            with("'xc7k325t-2'", "'xc7a200t-1'"),
+            "name = \"xc7a200t-1\": expected a name that no part of efsat has"
+        );
+        assert_eq!(
+            with("memory_luts = 64000", "memory_luts = 203801"),
+            "memory_luts = 203801: expected at most luts, 203800"
+        );
+        assert_eq!(with("lut = 0.05", "net = 9"), "wide_net = 1.5: expected at least net, 9");
         assert!(with("lut = 0.05", "luts = 9").contains("line 8"));
         assert!(
             with("lut = 0.05", "speed_of_light = 9").contains("speed_of_light"),

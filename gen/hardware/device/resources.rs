@@ -19,14 +19,14 @@ pub struct Resources {
 }
 
 impl Resources {
-    /// What a part with this capacity has too little of: the kind of cells, how many are used and how many there are.
-    pub fn shortage(&self, capacity: &Self) -> Option<(&'static str, u64, u64)> {
+    /// All that a part with this capacity has too little of: the kind of cells, how many are used and how many there are.
+    pub fn shortages(&self, capacity: &Self) -> Vec<(&'static str, u64, u64)> {
         let kinds = [
             ("multipliers", self.multipliers, capacity.multipliers),
             ("LUTs", self.luts + self.memory_luts, capacity.luts),
             ("flip-flops", self.flip_flops, capacity.flip_flops),
         ];
-        kinds.into_iter().find(|(_, used, there)| used > there)
+        kinds.into_iter().filter(|(_, used, there)| used > there).collect()
     }
 }
 

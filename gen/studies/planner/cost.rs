@@ -55,7 +55,7 @@ impl Cost {
             multipliers: cells.multipliers,
             luts: cells.luts + cells.memory_luts,
             flip_flops: cells.flip_flops,
-            fits: cells.shortage(&design.device.capacity).is_none(),
+            fits: cells.shortages(&design.device.capacity).is_empty(),
             latency: design.latency as u64,
             interval: design.interval as u64,
             simulation,

@@ -119,11 +119,11 @@ impl<'l> Mul for Factor<Sig<'l>> {
     }
 }
 
-/// `x * y`, exact, by sign cases (Kulisch): two products; where both factors straddle zero the result is `[-P, P]` with
-/// `P = max(-x_lo, x_hi) * max(-y_lo, y_hi)`.
+/// `x * y` by sign cases (Kulisch): two products, none rounded; where both factors straddle zero the result is the wider
+/// `[-P, P]` with `P = max(-x_lo, x_hi) * max(-y_lo, y_hi)`.
 pub fn multiply<'l>(x: Factor<Sig<'l>>, y: Factor<Sig<'l>>) -> Interval<Sig<'l>> {
     let doc = [
-        "p = x * y, exact, by sign cases: two products.",
+        "p contains x * y, by sign cases: two products, none rounded. Wider than x * y only where both straddle 0.",
         "",
         "  x \\ y   y_lo >= 0                   y_hi <= 0                   y straddles 0",
         "  x_lo>=0  [x_lo*y_lo, x_hi*y_hi]      [x_hi*y_lo, x_lo*y_hi]      [x_hi*y_lo, x_hi*y_hi]",
