@@ -63,3 +63,15 @@ impl Sum for Resources {
         all.fold(Self::default(), Add::add)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_that_does_not_fit_is_named() {
+        let design = Resources { multipliers: 39, luts: 2000, memory_luts: 808, flip_flops: 3467, carry: 0 };
+        let part = Resources { multipliers: 1, luts: 2807, memory_luts: 900, flip_flops: 3467, carry: 0 };
+        assert_eq!(design.shortages(&part), [("multipliers", 39, 1), ("LUTs", 2808, 2807)]);
+    }
+}
