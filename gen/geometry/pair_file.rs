@@ -134,8 +134,8 @@ pub fn read(name: &str) -> Result<Vec<Points>, PairFileError> {
     Reader::open(name)?.all()
 }
 
-/// Reads CSV: 18 numbers a row, a first row none of whose fields begins as a number does is a header, empty lines are skipped. A
-/// decimal stands for the nearest binary64 number.
+/// Reads CSV: 18 numbers a row, a first row none of whose fields begins as a number does is a header, empty lines are
+/// skipped. A decimal stands for the nearest binary64 number.
 ///
 /// `name` is used in messages.
 ///
@@ -314,7 +314,8 @@ fn in_order(found: Vec<Result<Points, PairFileError>>) -> Result<Vec<Points>, Pa
     found.into_iter().collect()
 }
 
-/// Whether a row is text none of whose fields begins as a number does, though commas separate them. Damaged numbers are no header.
+/// Whether a row is text none of whose fields begins as a number does, though commas separate them: damaged numbers are no
+/// header.
 fn is_header(row: &[u8]) -> bool {
     let begins_a_number = |field: &[u8]| field.first().is_some_and(|b| b.is_ascii_digit() || b"+-.".contains(b));
     let is_text = !row.contains(&0) && std::str::from_utf8(row).is_ok();
