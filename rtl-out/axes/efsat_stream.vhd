@@ -9,7 +9,7 @@
 --   16#44102002#  pose: one record follows
 -- A record is 10 words for a pair, the first in the low bits:
 --   31 downto 0  not read
---   47 downto 32  tag
+--   47 downto 32  tag; 63 downto 48  not read
 --   from bit 64 on, each in the low 32 of 32 bits: v0_x v0_y v0_z v1_x ... w2_z
 -- and 7 words for a pose, in the same places: bit 31 bypass, no tag, numbers
 --   m00 m01 m02 m10 m11 m12 m20 m21 m22 t_x t_y t_z

@@ -93,7 +93,7 @@ architecture rtl of efsat is
   signal control_decide_address : unsigned(5 downto 0);
   signal control_take_address : unsigned(5 downto 0);
   signal control_pose_load : std_logic;
-  signal control_pose_accept : std_logic;
+  signal control_pose_ready : std_logic;  -- a pose can be accepted
   signal pair_v : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal pair_w : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal active_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
@@ -129,7 +129,7 @@ begin
               load_pair => control_load_pair, in_ready => in_ready, accept => control_accept, decide => control_decide,
               out_valid => out_valid, take => control_take, accept_address => control_accept_address,
               decide_address => control_decide_address, take_address => control_take_address,
-              pose_load => control_pose_load, pose_ready => pose_ready, pose_accept => control_pose_accept);
+              pose_load => control_pose_load, pose_ready => control_pose_ready);
   path : entity work.pair_pipeline
     port map (clk => clk, in_v => pair_v, in_w => pair_w, pose_m => active_m, pose_t => active_t,
               pose_bypass => active_bypass, verdict => path_verdict, outside => path_outside,
@@ -163,7 +163,7 @@ begin
         active_m <= next_m;
         active_t <= next_t;
       end if;
-      if control_pose_accept = '1' then
+      if control_pose_ready = '1' then
         next_m(0)(0) <= signed(pose_m00);
         next_m(0)(1) <= signed(pose_m01);
         next_m(0)(2) <= signed(pose_m02);
@@ -216,6 +216,7 @@ begin
   tag_queue <= tag_queue_words(to_integer(known(control_take_address)));
 
   -- Outputs
+  pose_ready <= control_pose_ready;
   out_verdict <= std_logic_vector(offered_verdict);
   out_separated <= std_logic_vector(offered_separated);
   out_overlapping <= std_logic_vector(offered_overlapping);

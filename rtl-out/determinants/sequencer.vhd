@@ -24,9 +24,8 @@ entity sequencer is
     accept_address : out unsigned(5 downto 0);
     decide_address : out unsigned(5 downto 0);
     take_address   : out unsigned(5 downto 0);
-    pose_load      : out std_logic;  -- last phase, and a pose is pending
-    pose_ready     : out std_logic;
-    pose_accept    : out std_logic
+    pose_load      : out std_logic := '0';  -- last phase, and a pose waits
+    pose_ready     : out std_logic  -- none waits; clear in reset
   );
 end entity sequencer;
 
@@ -53,11 +52,8 @@ architecture rtl of sequencer is
   signal offered : std_logic := '0';
   signal output_free : std_logic;
   signal take_pair : std_logic;
-  signal pose_pending : std_logic := '0';
-  signal load_pose : std_logic := '0';  -- last phase, and a pose is pending
-  signal takes_pose : std_logic;
-  signal pose_waits : std_logic;
-  signal pose_pending_next : std_logic;
+  signal takes_pose : std_logic := '0';  -- none waits; clear in reset
+  signal accept_pose : std_logic;
 begin
   taken_turned <= taken + 64;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
@@ -66,13 +62,10 @@ begin
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
   take_pair <= not empty and output_free;
-  takes_pose <= running and not pose_pending;
-  pose_waits <= pose_pending and not load_pose;
-  pose_pending_next <= pose_waits or (pose_valid and takes_pose);
+  accept_pose <= pose_valid and takes_pose;
   accept_address <= accepted(5 downto 0);
   decide_address <= decided(5 downto 0);
   take_address <= taken(5 downto 0);
-  pose_accept <= pose_valid and takes_pose;
 
   -- State
   state : process (clk)
@@ -91,8 +84,8 @@ begin
         empty_if_moved <= '1';
         empty_if_still <= '1';
         offered <= '0';
-        pose_pending <= '0';
-        load_pose <= '0';
+        takes_pose <= '0';
+        pose_load <= '0';
       else
         running <= '1';
         accepted_moved <= accept_pair;
@@ -104,8 +97,8 @@ begin
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
-        pose_pending <= pose_pending_next;
-        load_pose <= pose_pending_next;
+        takes_pose <= not accept_pose;
+        pose_load <= accept_pose;
       end if;
       if reset = '1' then
         accepted <= to_unsigned(0, 7);
@@ -136,6 +129,5 @@ begin
   decide <= decide_pair;
   out_valid <= offered;
   take <= take_pair;
-  pose_load <= load_pose;
   pose_ready <= takes_pose;
 end architecture rtl;

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- One separating axis, l = e x f in interval arithmetic (equation 1).
--- Component i is e_j f_k - e_k f_j, exact; what axis_shift makes of it has the format and bound of the table.
+-- Component i is e_j f_k - e_k f_j, not rounded; what axis_shift makes of it has the format and bound of the table.
 --
 --   axis         e       f       l       |l| <=     rounding
 --   n_a          s2.16   s2.16   s4.14   131071     18 bits dropped

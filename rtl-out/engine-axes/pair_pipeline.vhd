@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
--- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or
--- are elements of x_held.
+-- the slot; the bounds at their ports, |.| <= x, hold for each of their uses. A value captured for the pair is named
+-- after what it is; later copies end in _h<clocks>, or are elements of x_held.
 -- Each section is an entity; delays from one to another are here.
 -- Latency: 58 clocks.
 --------------------------------------------------------------------------------
@@ -75,8 +75,8 @@ architecture rtl of pair_pipeline is
   signal all_overlap_h1 : std_logic := '0';
   signal pierced_h1 : std_logic;
   signal surely : std_logic;
-  signal verdict_and_first_not_h1 : std_logic := '0';
-  signal verdict_and_second_not_first_h1 : std_logic := '0';
+  signal not_separate : std_logic;
+  signal not_separate_h1 : std_logic := '0';
   signal separated0_h11 : std_logic := '0';
   signal overlapping0_h11 : std_logic := '0';
   signal in_phase_8 : std_logic;
@@ -135,10 +135,11 @@ begin
   -- Clock 57
   separate <= or_reduce(unsigned(separated_i));
   all_overlap <= not or_reduce(not unsigned(overlapping_i));
+  not_separate <= not separate;
 
   -- Clock 58
   surely <= all_overlap_h1 or pierced_h1;
-  verdict <= (verdict_and_second_not_first_h1 and not surely) & (verdict_and_first_not_h1 and surely);
+  verdict <= (not_separate_h1 and not surely) & (not_separate_h1 and surely);
 
   -- Selectors, set in the clock before their phase
   selectors : process (clk)
@@ -179,8 +180,7 @@ begin
       end if;
       if strobe(2) = '1' then
         all_overlap_h1 <= all_overlap;
-        verdict_and_first_not_h1 <= not separate;
-        verdict_and_second_not_first_h1 <= not separate;
+        not_separate_h1 <= not_separate;
         separated0_h11 <= separated_i(0);
         overlapping0_h11 <= overlapping_i(0);
         outside <= outside_held(2);

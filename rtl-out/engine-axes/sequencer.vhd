@@ -27,7 +27,7 @@ entity sequencer is
     decide_address : out unsigned(3 downto 0);
     take_address   : out unsigned(3 downto 0);
     pose_ready     : out std_logic;
-    pose_accept    : out std_logic
+    pose_load      : out std_logic
   );
 end entity sequencer;
 
@@ -74,7 +74,7 @@ begin
   accept_address <= accepted(3 downto 0);
   decide_address <= decided(3 downto 0);
   take_address <= taken(3 downto 0);
-  pose_accept <= pose_valid and takes_pose;
+  pose_load <= pose_valid and takes_pose;
 
   -- State
   state : process (clk)

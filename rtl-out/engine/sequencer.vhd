@@ -26,9 +26,8 @@ entity sequencer is
     accept_address : out unsigned(4 downto 0);
     decide_address : out unsigned(4 downto 0);
     take_address   : out unsigned(4 downto 0);
-    pose_load      : out std_logic;  -- last phase, and a pose is pending
-    pose_ready     : out std_logic;
-    pose_accept    : out std_logic
+    pose_load      : out std_logic;  -- last phase, and a pose waits
+    pose_ready     : out std_logic  -- none waits; clear in reset
   );
 end entity sequencer;
 
@@ -59,9 +58,10 @@ architecture rtl of sequencer is
   signal offered : std_logic := '0';
   signal output_free : std_logic;
   signal take_pair : std_logic;
+  signal load_pose : std_logic := '0';  -- last phase, and a pose waits
+  signal takes_pose : std_logic := '0';  -- none waits; clear in reset
+  signal accept_pose : std_logic;
   signal pose_pending : std_logic := '0';
-  signal load_pose : std_logic := '0';  -- last phase, and a pose is pending
-  signal takes_pose : std_logic;
   signal pose_waits : std_logic;
   signal pose_pending_next : std_logic;
 begin
@@ -73,14 +73,13 @@ begin
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
   take_pair <= not empty and output_free;
-  takes_pose <= running and not pose_pending;
+  accept_pose <= pose_valid and takes_pose;
   pose_waits <= pose_pending and not load_pose;
-  pose_pending_next <= pose_waits or (pose_valid and takes_pose);
+  pose_pending_next <= pose_waits or accept_pose;
   load_pair <= in_valid and last_phase;
   accept_address <= accepted(4 downto 0);
   decide_address <= decided(4 downto 0);
   take_address <= taken(4 downto 0);
-  pose_accept <= pose_valid and takes_pose;
 
   -- State
   state : process (clk)
@@ -98,8 +97,9 @@ begin
         empty_if_moved <= '1';
         empty_if_still <= '1';
         offered <= '0';
-        pose_pending <= '0';
         load_pose <= '0';
+        takes_pose <= '0';
+        pose_pending <= '0';
       else
         running <= '1';
         phase_i <= to_unsigned(phase_entry_table(to_integer(known(phase_i))), 2);
@@ -112,8 +112,9 @@ begin
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
-        pose_pending <= pose_pending_next;
         load_pose <= pose_pending_next and flag(known(phase_i) = 1);
+        takes_pose <= not pose_pending_next;
+        pose_pending <= pose_pending_next;
       end if;
       if reset = '1' then
         accepted <= to_unsigned(0, 6);

@@ -8,7 +8,7 @@
 --   16#04106001#  pairs: any number of records follow, at least one
 -- A record is one word for a pair:
 --   31 downto 0  not read
---   47 downto 32  tag
+--   47 downto 32  tag; 63 downto 48  not read
 --   from bit 64 on, each in the low 32 of 32 bits: v0_x v0_y v0_z v1_x ... w2_z
 --
 -- Out: one packet of 64-bit words for every packet, in order: one word per pair, or

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- One separating axis, l = e x f in interval arithmetic (equation 1).
--- Component i is e_j f_k - e_k f_j, exact, then rounded outward once.
+-- Component i is e_j f_k - e_k f_j, rounded outward once.
 --
 --   axis         e       f       l       |l| <=     rounding
 --   n_a          s2.16   s2.16   s3.15   65539      17 bits dropped

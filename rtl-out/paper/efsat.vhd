@@ -93,7 +93,7 @@ architecture rtl of efsat is
   signal control_accept_address : unsigned(3 downto 0);
   signal control_decide_address : unsigned(3 downto 0);
   signal control_take_address : unsigned(3 downto 0);
-  signal control_pose_accept : std_logic;
+  signal control_pose_load : std_logic;
   signal pair_v : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal pair_w : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal active_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
@@ -126,7 +126,7 @@ begin
               phase => control_phase, load_pair => control_load_pair, holds => control_holds, in_ready => in_ready,
               accept => control_accept, decide => control_decide, out_valid => out_valid, take => control_take,
               accept_address => control_accept_address, decide_address => control_decide_address,
-              take_address => control_take_address, pose_ready => pose_ready, pose_accept => control_pose_accept);
+              take_address => control_take_address, pose_ready => pose_ready, pose_load => control_pose_load);
   path : entity work.pair_pipeline
     port map (clk => clk, phase => control_phase, holds => control_holds, in_v => pair_v, in_w => pair_w,
               pose_m => active_m, pose_t => active_t, pose_bypass => active_bypass, verdict => path_verdict,
@@ -156,7 +156,7 @@ begin
         pair_w(2)(1) <= signed(in_w2_y);
         pair_w(2)(2) <= signed(in_w2_z);
       end if;
-      if control_pose_accept = '1' then
+      if control_pose_load = '1' then
         active_m(0)(0) <= signed(pose_m00);
         active_m(0)(1) <= signed(pose_m01);
         active_m(0)(2) <= signed(pose_m02);
@@ -183,7 +183,7 @@ begin
     if rising_edge(clk) then
       if reset = '1' then
         active_bypass <= '1';
-      elsif control_pose_accept = '1' then
+      elsif control_pose_load = '1' then
         active_bypass <= pose_bypass;
       end if;
     end if;

@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
--- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or
--- are elements of x_held.
+-- the slot; the bounds at their ports, |.| <= x, hold for each of their uses. A value captured for the pair is named
+-- after what it is; later copies end in _h<clocks>, or are elements of x_held.
 -- Each section is an entity; delays from one to another are here.
 -- Latency: 55 clocks.
 --------------------------------------------------------------------------------
@@ -63,6 +63,7 @@ architecture rtl of pair_pipeline is
   signal overlapping_i : std_logic_vector(10 downto 0);
   signal separate : std_logic;
   signal surely : std_logic;
+  signal not_separate : std_logic;
   signal in_phase_8 : std_logic;
   signal busy_12 : std_logic := '0';  -- set in clocks 11 to 21 of a pair
   signal in_phase_0 : std_logic;
@@ -113,7 +114,8 @@ begin
   -- Clock 55
   separate <= or_reduce(unsigned(separated_i));
   surely <= not or_reduce(not unsigned(overlapping_i));
-  verdict <= (not separate and not surely) & (not separate and surely);
+  not_separate <= not separate;
+  verdict <= (not_separate and not surely) & (not_separate and surely);
 
   -- Selectors, set in the clock before their phase
   selectors : process (clk)

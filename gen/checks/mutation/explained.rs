@@ -97,7 +97,7 @@ const VHDL: &[Explanation] = &[
     same_in_several("sequencer:last_phase:constant:'0' -> '1'", NOT_YET),
     same("sequencer:running:constant:'0' -> '1'", RUNNING),
     same("sequencer:running:delay:a register too many", RUNNING),
-    same("sequencer:pose_accept:operand:takes_pose -> pose_phase", RUNNING),
+    same("sequencer:pose_load:operand:takes_pose -> pose_phase", RUNNING),
     same("sequencer:empty_if_moved:constant:'1' -> '0'", NOT_MOVED),
     same("sequencer:taken_moved:constant:'0' -> '1'", NOT_MOVED),
     same("open_pointers:empty:*:empty_if_moved -> *", POPPED),

@@ -37,7 +37,7 @@ pub fn comparator<'l>(
     owners: Owners<'l>,
     edges: bool,
 ) -> ((Sig<'l>, Sig<'l>), Option<Sides<'l>>) {
-    let doc = [
+    let mut doc = vec![
         "Decides one axis by comparing every point of A with every point of B (equations 3 and 6):",
         "  above: b_lo > a_hi; below: a_lo > b_hi",
         "  separated   = all above or all below, so b_min_lo > a_max_hi or a_min_lo > b_max_hi",
@@ -53,15 +53,31 @@ pub fn comparator<'l>(
             let joint = [intersected(&p[..3], duplicates[0], "a"), intersected(&p[3..], duplicates[1], "b")].concat();
             (decide(&sides(&joint, "joint_"), &[]), edges.then(|| sides(&p, "")))
         }),
-        Owners::Shared(has) => entity!("comparator_network", &doc, (p, has) => {
-            let sides = sides(&p, "");
-            let has = |triangle: usize, place: usize| (place > 0).then(|| has[triangle][place - 1]);
-            let counts = |(i, [a, b]): (usize, [usize; 2])| {
-                let both = [has(0, a), has(1, p.len() - 1 - b)].into_iter().flatten();
-                both.reduce(|a, b| a.apply(And, &[b]).named_at("counts", i))
-            };
-            (decide(&sides, &pairs(p.len()).enumerate().map(counts).collect::<Vec<_>>()), edges.then_some(sides))
-        }),
+        Owners::Shared(has) => {
+            let last = p.len() - 1;
+            let between = (1..last).map(|i| {
+                let owns = |name, triangle: usize, place: usize| {
+                    (place < 3).then(|| format!("{name} where has({triangle})({})", place - 1))
+                };
+                let owners = [owns("A's", 0, i), owns("B's", 1, last - i)].into_iter().flatten().collect::<Vec<_>>();
+                format!("  p({i}) is {}", owners.join(", "))
+            });
+            let between = between.collect::<Vec<_>>();
+            let ends = format!(
+                "Points: p(0) is A's, p({last}) is B's. A comparison counts where its points are of A and of B:"
+            );
+            doc.push(&ends);
+            doc.extend(between.iter().map(String::as_str));
+            entity!("comparator_network", &doc, (p, has) => {
+                let sides = sides(&p, "");
+                let has = |triangle: usize, place: usize| (place > 0).then(|| has[triangle][place - 1]);
+                let counts = |(i, [a, b]): (usize, [usize; 2])| {
+                    let both = [has(0, a), has(1, last - b)].into_iter().flatten();
+                    both.reduce(|a, b| a.apply(And, &[b]).named_at("counts", i))
+                };
+                (decide(&sides, &pairs(p.len()).enumerate().map(counts).collect::<Vec<_>>()), edges.then_some(sides))
+            })
+        }
     }
 }
 

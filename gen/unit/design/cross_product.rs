@@ -14,8 +14,8 @@ pub fn cross_product<'l>(
     formats: &[String],
 ) -> Vector<'l> {
     let rounded = match roundings {
-        Some(_) => "exact, then rounded outward once.",
-        None => "exact; what axis_shift makes of it has the format and bound of the table.",
+        Some(_) => "rounded outward once.",
+        None => "not rounded; what axis_shift makes of it has the format and bound of the table.",
     };
     let component = format!("Component i is e_j f_k - e_k f_j, {rounded}");
     let mut doc = vec!["One separating axis, l = e x f in interval arithmetic (equation 1).", &component, ""];

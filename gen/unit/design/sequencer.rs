@@ -123,38 +123,42 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     decided.low(address).named("decide_place").output("decide_address");
     taken.count.low(address).named("take_place").output("take_address");
     if let Some((reading, pose_valid)) = pose {
-        let pose_ready = match reading {
-            PoseReading::NotLast => running & slots.in_phase("pose_phase", interval - 2),
+        match reading {
+            PoseReading::NotLast => {
+                let ready = (running & slots.in_phase("pose_phase", interval - 2)).named("takes_pose");
+                ready.output("pose_ready");
+                (pose_valid & ready).named("accept_pose").output("pose_load");
+            }
             PoseReading::Always => {
                 let last_next = slots.phase.map(|phase| phase.is(interval as i128 - 2));
-                pending_pose(&m, reset, running, pose_valid, last_next)
+                pending_pose(&m, reset, pose_valid, last_next);
             }
-        };
-        let pose_ready = pose_ready.named("takes_pose");
-        pose_ready.output("pose_ready");
-        (pose_valid & pose_ready).named("accept_pose").output("pose_accept");
+        }
     }
     m.finish()
 }
 
-/// A pose waits until the running slot is over, then takes effect for the next pair: whether one can be taken.
-/// `last_next` tells that the last phase follows; without it every phase is the last.
-fn pending_pose<'m>(
-    m: &'m Control,
-    reset: Wire<'m>,
-    running: Wire<'m>,
-    pose_valid: Wire<'m>,
-    last_next: Option<Wire<'m>>,
-) -> Wire<'m> {
-    let pending = m.register("pose_pending", Type::FLAG);
+/// A pose waits until the running slot is over, then takes effect for the next pair. `last_next` tells that the last phase
+/// follows; without it every phase is the last.
+fn pending_pose<'m>(m: &'m Control, reset: Wire<'m>, pose_valid: Wire<'m>, last_next: Option<Wire<'m>>) {
     let load = m.register("load_pose", Type::FLAG);
-    let ready = (running & !pending).named("pose_accepts");
-    let waits = (pending & !load).named("pose_waits");
-    let next = (waits | (pose_valid & ready)).named("pose_pending_next");
-    pending.loads(next, None, Some((reset, 0)));
-    load.loads(last_next.map_or(next, |last| next & last), None, Some((reset, 0)));
-    load.comment("last phase, and a pose is pending").output("pose_load");
-    ready
+    // A register by itself: it enables all registers of the pose that waits, which load whatever is offered until one is taken.
+    let ready = m.register("takes_pose", Type::FLAG);
+    let taken = (pose_valid & ready).named("accept_pose");
+    let (pending, loads) = match last_next {
+        None => (taken, taken),
+        Some(last) => {
+            let pending = m.register("pose_pending", Type::FLAG);
+            let waits = (pending & !load).named("pose_waits");
+            let next = (waits | taken).named("pose_pending_next");
+            pending.loads(next, None, Some((reset, 0)));
+            (next, next & last)
+        }
+    };
+    ready.comment("none waits; clear in reset").loads(!pending, None, Some((reset, 0)));
+    load.comment("last phase, and a pose waits").loads(loads, None, Some((reset, 0)));
+    load.output("pose_load");
+    ready.output("pose_ready");
 }
 
 /// The pointers of a queue that never overflows: its writer makes sure of a place.

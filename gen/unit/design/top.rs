@@ -279,10 +279,10 @@ fn active_pose<'m>(
     let reset_to = (place.base == "pose_bypass").then_some((reset, 1));
     let active = m.register(prefixed(place, "pose_", "active_"), port.ty());
     match reading {
-        PoseReading::NotLast => active.loads(port, Some(of("pose_accept")), reset_to),
+        PoseReading::NotLast => active.loads(port, Some(of("pose_load")), reset_to),
         PoseReading::Always => {
             let next = m.register(prefixed(place, "pose_", "next_"), port.ty());
-            next.loads(port, Some(of("pose_accept")), None);
+            next.loads(port, Some(of("pose_ready")), None);
             active.loads(next, Some(of("pose_load")), reset_to);
         }
     }

@@ -148,7 +148,12 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
         },
         match p.tag_width {
             0 => "  63 downto 32  not read: there is no tag".to_owned(),
-            _ => format!("  {tag_high} downto {TAG_AT}  tag"),
+            _ => match format.number_at(0) - 1 {
+                high if high > tag_high => {
+                    format!("  {tag_high} downto {TAG_AT}  tag; {high} downto {}  not read", tag_high + 1)
+                }
+                _ => format!("  {tag_high} downto {TAG_AT}  tag"),
+            },
         },
         format!(
             "  from bit {} on, each in the low {} of {lane} bits: v0_x v0_y v0_z v1_x ... w2_z",
