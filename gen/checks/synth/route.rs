@@ -26,8 +26,11 @@ const PACKED: &str = "packed.json";
 /// Placements at a time: each takes more than half a gigabyte.
 const AT_A_TIME: usize = 2;
 
-/// The part, and how it is routed.
-const PART: [&str; 7] = ["--85k", "--package", "CABGA756", "--speed", "6", "--router", "router1"];
+/// The part.
+const PART: [&str; 5] = ["--85k", "--package", "CABGA756", "--speed", "6"];
+
+/// What routes it. Nets of the longest paths are routed again, which nextpnr calls experimental: the default design is 4 % faster by it.
+const ROUTER: [&str; 3] = ["--router", "router1", "--tmg-ripup"];
 
 /// What places the cells. No placer of nextpnr is the better one for all designs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -179,7 +182,7 @@ fn one(
     let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
     let files = ["--json", PACKED, "--report", &report];
     let chosen = ["--placer", options.placer.name(), "--freq", &frequency, "--seed", &number];
-    let args = [&PART[..], &lenient, &files, &chosen].concat();
+    let args = [&PART[..], &ROUTER, &lenient, &files, &chosen].concat();
     let path = dir.join(&report);
     // One of an earlier run would stand beside the log of this one.
     if path.exists() {
