@@ -115,12 +115,12 @@ fn a_mutated_netlist_is_noticed() {
     assert!(said.contains("efsat_tb: mismatch at vector"), "{said}");
 }
 
-fn report(params: &Params, seeds: u32, placer: Placer, keep: Option<&Path>) -> Option<Report> {
+fn report(params: &Params, seeds: u32, (placer, reroute): (Placer, bool), keep: Option<&Path>) -> Option<Report> {
     let (flow, keep) = (Flow::of(device::find(&params.device).unwrap()), keep.map(Path::to_owned));
     let design = Design::new(params, Probes::None).unwrap();
     let subject = Subject::Unit(&design);
     let limit = Duration::from_secs(600);
-    made(synth::run(&subject, "", &synth::Options { flow, seeds, limit, placer, keep }, &|_| ()))
+    made(synth::run(&subject, "", &synth::Options { flow, seeds, limit, placer, reroute, keep }, &|_| ()))
 }
 
 /// The counts of a unit are at least those of its parts.
@@ -141,7 +141,7 @@ fn smallest_on(device: &str) -> Params {
 #[test]
 fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
     for device in share(2, ["lfe5u-85-6", "lifcl-40-9"]) {
-        let Some(report) = report(&smallest_on(device), 0, Placer::Static, None) else { return };
+        let Some(report) = report(&smallest_on(device), 0, (Placer::Static, false), None) else { return };
         let (predicted, cells) = (report.top.predicted, report.top.actual.unwrap());
         let multipliers = predicted.multipliers;
         assert_eq!((cells.resources.multipliers, cells.registered_multipliers), (multipliers, multipliers), "{device}");
@@ -152,9 +152,9 @@ fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
 #[test]
 #[ignore = "a minute or more: scripts/test full"]
 fn ecp5_is_placed_and_routed() {
-    for placer in [Placer::Static, Placer::Heap] {
+    for way in [(Placer::Static, true), (Placer::Heap, false)] {
         let dir = TempDir::new().unwrap();
-        let Some(report) = report(&smallest_on("lfe5u-85-6"), 1, placer, Some(dir.path())) else { return };
+        let Some(report) = report(&smallest_on("lfe5u-85-6"), 1, way, Some(dir.path())) else { return };
         let routed = report.routed.as_ref().unwrap();
         let seed = routed.middle().unwrap();
         assert!((20.0..500.0).contains(&seed.megahertz), "{routed:?}");
@@ -260,6 +260,7 @@ fn wrong_options_are_told() {
         ("synth --minutes 3", "--minutes: flow yosys-xc2v ends after Yosys; expected --flow ecp5"),
         ("synth --flow ecp5 --minutes 0", "expected a whole number from 1 to 1440"),
         ("synth --placer heap", "--placer: flow yosys-xc2v ends after Yosys"),
+        ("synth --reroute", "--reroute: flow yosys-xc2v ends after Yosys"),
         ("synth --flow ecp5 --placer annealing", "expected one of static, heap"),
         ("synth --no-route", "--no-route: flow yosys-xc2v ends after Yosys"),
         ("synth --flow ecp5 --seeds 0", "expected a whole number from 1 to 32"),

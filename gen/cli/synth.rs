@@ -43,11 +43,14 @@ pub(super) struct Arguments {
     /// What places the cells: heap routes what static makes too dense, such as exact at a pair per clock [default: static]
     #[arg(long, value_name = "NAME", value_parser = choice::<Placer>())]
     placer: Option<Placer>,
+    /// Route nets of the longest paths again: a faster clock where that ends (nextpnr's --tmg-ripup)
+    #[arg(long)]
+    reroute: bool,
     /// Stop after Yosys: no placement, no clock
-    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer"])]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer", "reroute"])]
     no_route: bool,
     /// The device model's counts and clock alone: no tool runs
-    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer", "no_route", "keep"])]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer", "reroute", "no_route", "keep"])]
     predict: bool,
     /// Leave sources, netlists, logs and reports in DIR
     #[arg(long, value_name = "DIR")]
@@ -77,6 +80,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("--seeds", arguments.seeds.is_some()),
         ("--minutes", arguments.minutes.is_some()),
         ("--placer", arguments.placer.is_some()),
+        ("--reroute", arguments.reroute),
     ];
     if let Some((option, _)) = of_placement.into_iter().find(|(_, given)| *given && !flow.routes()) {
         return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; expected --flow ecp5", flow.name())));
@@ -96,7 +100,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let limit = Duration::from_secs(60 * u64::from(arguments.minutes.unwrap_or(MINUTES)));
     let placer = arguments.placer.unwrap_or(Placer::Static);
     arguments.keep.iter().try_for_each(|dir| file::named(dir, "directory"))?;
-    let options = Options { flow, seeds, limit, placer, keep: arguments.keep.clone() };
+    let options = Options { flow, seeds, limit, placer, reroute: arguments.reroute, keep: arguments.keep.clone() };
     let spinner = progress::spinner("synthesising");
     let step = |what: &str| spinner.set_message(what.to_owned());
     let report = synth::run(&subject, &command_line, &options, &step)?;

@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
--- the slot; the bounds at their ports, |.| <= x, hold for each of their uses. A value captured for the pair is named
--- after what it is; later copies end in _h<clocks>, or are elements of x_held.
+-- the slot; a bound at a port covers all uses of the unit. A value captured for the pair is named after what it is;
+-- later copies end in _h<clocks>, or are elements of x_held.
 -- Each section is an entity; delays from one to another are here.
 -- Latency: 58 clocks.
 --------------------------------------------------------------------------------

@@ -244,9 +244,10 @@ begin
           end if;
           taken := taken + 1;
         end if;
-        -- A pair or a pose is accepted.
+        -- A pair or a pose is accepted. What stands there while nothing is offered must not matter.
         if (in_valid and in_ready) = '1' then
           in_valid <= '0';
+          pair <= not pair;
           if pass = 1 then
             if previous_accepted < 0 then
               first_accepted := clock;
@@ -258,6 +259,7 @@ begin
         end if;
         if (pose_valid and pose_ready) = '1' then
           pose_valid <= '0';
+          pose <= not pose;
         end if;
         -- Pace: full speed; in the second pass no answer is taken until the unit is full, then all is random.
         random := random(14 downto 0) & (random(15) xor random(13) xor random(12) xor random(10));

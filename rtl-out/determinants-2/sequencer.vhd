@@ -26,8 +26,8 @@ entity sequencer is
     accept_address : out unsigned(4 downto 0);
     decide_address : out unsigned(4 downto 0);
     take_address   : out unsigned(4 downto 0);
-    pose_load      : out std_logic;  -- last phase, and a pose waits
-    pose_ready     : out std_logic  -- none waits; clear in reset
+    pose_load      : out std_logic;  -- a pose waits, and the next pair reads it
+    pose_ready     : out std_logic  -- no pose waits; clear in reset and in the first clock after
   );
 end entity sequencer;
 
@@ -57,8 +57,8 @@ architecture rtl of sequencer is
   signal offered : std_logic := '0';
   signal output_free : std_logic;
   signal take_pair : std_logic;
-  signal load_pose : std_logic := '0';  -- last phase, and a pose waits
-  signal takes_pose : std_logic := '0';  -- none waits; clear in reset
+  signal load_pose : std_logic := '0';  -- a pose waits, and the next pair reads it
+  signal takes_pose : std_logic := '0';  -- no pose waits; clear in reset and in the first clock after
   signal accept_pose : std_logic;
   signal pose_pending : std_logic := '0';
   signal pose_waits : std_logic;

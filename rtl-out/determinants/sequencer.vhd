@@ -24,8 +24,8 @@ entity sequencer is
     accept_address : out unsigned(5 downto 0);
     decide_address : out unsigned(5 downto 0);
     take_address   : out unsigned(5 downto 0);
-    pose_load      : out std_logic := '0';  -- last phase, and a pose waits
-    pose_ready     : out std_logic  -- none waits; clear in reset
+    pose_load      : out std_logic := '0';  -- a pose waits, and the next pair reads it
+    pose_ready     : out std_logic  -- no pose waits; clear in reset and in the first clock after
   );
 end entity sequencer;
 
@@ -52,7 +52,7 @@ architecture rtl of sequencer is
   signal offered : std_logic := '0';
   signal output_free : std_logic;
   signal take_pair : std_logic;
-  signal takes_pose : std_logic := '0';  -- none waits; clear in reset
+  signal takes_pose : std_logic := '0';  -- no pose waits; clear in reset and in the first clock after
   signal accept_pose : std_logic;
 begin
   taken_turned <= taken + 64;

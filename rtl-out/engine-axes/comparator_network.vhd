@@ -5,9 +5,9 @@
 --   separated   = all above or all below, so b_min_lo > a_max_hi or a_min_lo > b_max_hi
 --   overlapping = some above and some below, so a_min_hi < b_max_lo and b_min_hi < a_max_lo (sound in place of
 --                 equations 7 to 9; strict)
--- Points: p(0) is A's, p(3) is B's. A comparison counts where its points are of A and of B:
---   p(1) is A's where has(0)(0), B's where has(1)(1)
---   p(2) is A's where has(0)(1), B's where has(1)(0)
+-- p(0) is A's, p(3) is B's. separated and overlapping count comparisons of A with B:
+--   p(1) is A's if has(0)(0) is set, B's if has(1)(1) is set
+--   p(2) is A's if has(0)(1) is set, B's if has(1)(0) is set
 -- Latency: 1 clock.
 --------------------------------------------------------------------------------
 library ieee;

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with
--- bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is
--- named after what it is; later copies end in _h<clocks>, or are elements of x_held.
+-- bounds on their errors, verdict. Units are shared over the phases of the slot; a bound at a port covers all uses of
+-- the unit. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or are elements
+-- of x_held.
 -- Each section is an entity; delays from one to another are here.
 -- Latency: 40 clocks.
 --------------------------------------------------------------------------------

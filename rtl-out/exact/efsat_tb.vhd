@@ -224,9 +224,10 @@ begin
           end if;
           taken := taken + 1;
         end if;
-        -- A pair or a pose is accepted.
+        -- A pair or a pose is accepted. What stands there while nothing is offered must not matter.
         if (in_valid and in_ready) = '1' then
           in_valid <= '0';
+          pair <= not pair;
           if pass = 1 then
             if previous_accepted < 0 then
               first_accepted := clock;

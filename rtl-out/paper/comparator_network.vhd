@@ -5,6 +5,7 @@
 --   separated   = all above or all below, so b_min_lo > a_max_hi or a_min_lo > b_max_hi
 --   overlapping = some above and some below, so a_min_hi < b_max_lo and b_min_hi < a_max_lo (sound in place of
 --                 equations 7 to 9; strict)
+-- p(0) to p(2) are A's, p(3) to p(5) are B's from the last one down.
 -- Latency: 1 clock.
 --------------------------------------------------------------------------------
 library ieee;

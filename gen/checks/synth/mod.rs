@@ -65,6 +65,8 @@ pub struct Options {
     pub limit: Duration,
     /// What places the cells.
     pub placer: Placer,
+    /// Whether nets of the longest paths are routed again, for a faster clock, where that ends.
+    pub reroute: bool,
     /// Where to leave sources, netlists, logs and reports; a temporary folder if none.
     pub keep: Option<PathBuf>,
 }
@@ -132,8 +134,11 @@ impl Report {
                 Some(median) => faults.push(format!("{median:.1} MHz instead of {target} (median of the seeds)")),
                 None => {
                     let minutes = routed.limit.as_secs() / 60;
-                    let other = routed.placer.other().name();
-                    let advice = format!("try --placer {other}, more --seeds or more --minutes");
+                    let other = match routed.reroute {
+                        true => "no --reroute".to_owned(),
+                        false => format!("--placer {}", routed.placer.other().name()),
+                    };
+                    let advice = format!("try {other}, more --seeds or more --minutes");
                     faults.push(format!("not routed in {minutes} minutes a seed; {advice}"));
                 }
             }
@@ -241,12 +246,13 @@ mod tests {
     #[test]
     fn another_placer_is_advised_where_one_does_not_end() {
         let limit = Duration::from_secs(60);
-        let advice = |placer| {
-            let routed = Some(Routed { seeds: vec![None], limit, placer });
+        let advice = |placer, reroute| {
+            let routed = Some(Routed { seeds: vec![None], limit, placer, reroute });
             Report { routed, ..predicted(&Params::default()) }.faults(100).join("; ")
         };
-        assert!(advice(Placer::Static).contains("not routed in 1 minutes a seed; try --placer heap,"));
-        assert!(advice(Placer::Heap).contains("try --placer static,"));
+        assert!(advice(Placer::Static, false).contains("not routed in 1 minutes a seed; try --placer heap,"));
+        assert!(advice(Placer::Heap, false).contains("try --placer static,"));
+        assert!(advice(Placer::Static, true).contains("try no --reroute,"));
     }
 
     #[test]

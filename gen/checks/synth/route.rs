@@ -26,11 +26,8 @@ const PACKED: &str = "packed.json";
 /// Placements at a time: each takes more than half a gigabyte.
 const AT_A_TIME: usize = 2;
 
-/// The part.
-const PART: [&str; 5] = ["--85k", "--package", "CABGA756", "--speed", "6"];
-
-/// What routes it. Nets of the longest paths are routed again, which nextpnr calls experimental: the default design is 4 % faster by it.
-const ROUTER: [&str; 3] = ["--router", "router1", "--tmg-ripup"];
+/// The part, and how it is routed.
+const PART: [&str; 7] = ["--85k", "--package", "CABGA756", "--speed", "6", "--router", "router1"];
 
 /// What places the cells. No placer of nextpnr is the better one for all designs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +79,8 @@ pub struct Routed {
     pub limit: Duration,
     /// What placed them.
     pub placer: Placer,
+    /// Whether nets of the longest paths were routed again.
+    pub reroute: bool,
 }
 
 impl Routed {
@@ -154,7 +153,7 @@ pub(super) fn run(
     dir: &Path,
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Routed, ToolError> {
-    let &Options { seeds, limit, placer, .. } = options;
+    let &Options { seeds, limit, placer, reroute, .. } = options;
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
     let done = AtomicU32::new(0);
@@ -166,7 +165,7 @@ pub(super) fn run(
         result
     };
     let seeds = pool.install(|| (1..=seeds).into_par_iter().map(seed).collect::<Result<Vec<_>, _>>())?;
-    Ok(Routed { seeds, limit, placer })
+    Ok(Routed { seeds, limit, placer, reroute })
 }
 
 fn one(
@@ -182,7 +181,9 @@ fn one(
     let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
     let files = ["--json", PACKED, "--report", &report];
     let chosen = ["--placer", options.placer.name(), "--freq", &frequency, "--seed", &number];
-    let args = [&PART[..], &ROUTER, &lenient, &files, &chosen].concat();
+    // nextpnr calls it experimental: dense designs, such as determinants at a pair per clock, lose more nets by it than they gain.
+    let again: &[&str] = if options.reroute { &["--tmg-ripup"] } else { &[] };
+    let args = [&PART[..], &lenient, &files, &chosen, again].concat();
     let path = dir.join(&report);
     // One of an earlier run would stand beside the log of this one.
     if path.exists() {
@@ -211,7 +212,7 @@ mod tests {
         let placed = |megahertz: f64| Placed { megahertz, critical: CriticalPath::default(), used: BTreeMap::new() };
         let median = |all: &[Option<f64>]| {
             let seeds = all.iter().map(|megahertz| megahertz.map(placed)).collect();
-            Routed { seeds, limit: Duration::ZERO, placer: Placer::Static }.median()
+            Routed { seeds, limit: Duration::ZERO, placer: Placer::Static, reroute: false }.median()
         };
         assert_eq!(median(&[Some(90.0)]), Some(90.0));
         assert_eq!(median(&[Some(120.0), Some(80.0), Some(100.0)]), Some(100.0));

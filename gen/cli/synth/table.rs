@@ -159,7 +159,8 @@ fn clock(text: &mut String, routed: &Routed, target: u32) {
         None => format!("none in {} minutes", routed.limit.as_secs() / 60),
     };
     let seeds: Vec<String> = routed.seeds.iter().map(megahertz).collect();
-    let seeds = format!("{} (placer {}, seeds 1 to {})", seeds.join(", "), routed.placer.name(), seeds.len());
+    let again = if routed.reroute { ", rerouted" } else { "" };
+    let seeds = format!("{} (placer {}{again}, seeds 1 to {})", seeds.join(", "), routed.placer.name(), seeds.len());
     let Some(middle) = routed.middle() else {
         let _ = writeln!(text, "clock: not routed in time, median of {seeds}");
         return;

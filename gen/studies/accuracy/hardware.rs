@@ -67,8 +67,8 @@ impl Hardware {
 /// That a tool is missing or fails.
 pub fn synthesise(params: &Params) -> Result<Cells, SynthError> {
     let device = device::find(&params.device).map_err(DesignError::from)?;
-    let options =
-        Options { flow: Flow::of(device), seeds: 0, limit: Duration::ZERO, placer: Placer::Static, keep: None };
+    let (limit, placer) = (Duration::ZERO, Placer::Static);
+    let options = Options { flow: Flow::of(device), seeds: 0, limit, placer, reroute: false, keep: None };
     let design = Design::new(params, Probes::None)?;
     let report = synth::run(&Subject::Unit(&design), &params.command_line(), &options, &|_| {})?;
     Ok(report.cells().into())

@@ -44,6 +44,9 @@ pub fn comparator<'l>(
         "  overlapping = some above and some below, so a_min_hi < b_max_lo and b_min_hi < a_max_lo (sound in place of",
         "                equations 7 to 9; strict)",
     ];
+    if !matches!(owners, Owners::Shared(_)) {
+        doc.push("p(0) to p(2) are A's, p(3) to p(5) are B's from the last one down.");
+    }
     match owners {
         Owners::Fixed => entity!("comparator_network", &doc, (p) => {
             let sides = sides(&p, "");
@@ -57,15 +60,14 @@ pub fn comparator<'l>(
             let last = p.len() - 1;
             let between = (1..last).map(|i| {
                 let owns = |name, triangle: usize, place: usize| {
-                    (place < 3).then(|| format!("{name} where has({triangle})({})", place - 1))
+                    (place < 3).then(|| format!("{name} if has({triangle})({}) is set", place - 1))
                 };
                 let owners = [owns("A's", 0, i), owns("B's", 1, last - i)].into_iter().flatten().collect::<Vec<_>>();
                 format!("  p({i}) is {}", owners.join(", "))
             });
             let between = between.collect::<Vec<_>>();
-            let ends = format!(
-                "Points: p(0) is A's, p({last}) is B's. A comparison counts where its points are of A and of B:"
-            );
+            let ends =
+                format!("p(0) is A's, p({last}) is B's. separated and overlapping count comparisons of A with B:");
             doc.push(&ends);
             doc.extend(between.iter().map(String::as_str));
             entity!("comparator_network", &doc, (p, has) => {

@@ -26,8 +26,8 @@ type Point<'l> = Vec3<Number<Sig<'l>>>;
 pub fn unit(p: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of",
-        "the slot; the bounds at their ports, |.| <= x, hold for each of their uses. A value captured for the pair is named",
-        "after what it is; later copies end in _h<clocks>, or are elements of x_held.",
+        "the slot; a bound at a port covers all uses of the unit. A value captured for the pair is named after what it is;",
+        "later copies end in _h<clocks>, or are elements of x_held.",
     ];
     Library::default().with_multiplier(multiplier(p)).block("pair_pipeline", &doc, p.interval(), |u| {
         let path = Path { u, p, formats: p.formats(), guards: Guards::new(u, p) };
@@ -44,8 +44,8 @@ pub fn unit(p: &Params) -> Rc<Block> {
         let separate = any(&separated).named("separate");
         let surely = (!(!overlapping[0].below(&overlapping[1..11])).any()).named("all_overlap");
         let surely = pierced.map_or(surely, |pierced| surely | pierced).named("surely");
-        let undecided = (!separate).named("not_separate");
-        let (intersect, unknown) = (undecided & surely, undecided & !surely);
+        let not_separate = (!separate).named("not_separate");
+        let (intersect, unknown) = (not_separate & surely, not_separate & !surely);
         let verdict = intersect.below(&[unknown]).named("verdict");
         let verdict = verdict.comment("00 separate, 01 intersect, 10 possibly incorrect");
         ((verdict, outside), (separated, overlapping))

@@ -142,10 +142,11 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
 /// follows; without it every phase is the last.
 fn pending_pose<'m>(m: &'m Control, reset: Wire<'m>, pose_valid: Wire<'m>, last_next: Option<Wire<'m>>) {
     let load = m.register("load_pose", Type::FLAG);
-    // A register by itself: it enables all registers of the pose that waits, which load whatever is offered until one is taken.
+    // Straight from a register: it enables the registers of the next pose in every clock in which none waits, and they keep the one
+    // that is taken.
     let ready = m.register("takes_pose", Type::FLAG);
     let taken = (pose_valid & ready).named("accept_pose");
-    let (pending, loads) = match last_next {
+    let (waits_next, load_next) = match last_next {
         None => (taken, taken),
         Some(last) => {
             let pending = m.register("pose_pending", Type::FLAG);
@@ -155,8 +156,12 @@ fn pending_pose<'m>(m: &'m Control, reset: Wire<'m>, pose_valid: Wire<'m>, last_
             (next, next & last)
         }
     };
-    ready.comment("none waits; clear in reset").loads(!pending, None, Some((reset, 0)));
-    load.comment("last phase, and a pose waits").loads(loads, None, Some((reset, 0)));
+    ready.comment("no pose waits; clear in reset and in the first clock after").loads(
+        !waits_next,
+        None,
+        Some((reset, 0)),
+    );
+    load.comment("a pose waits, and the next pair reads it").loads(load_next, None, Some((reset, 0)));
     load.output("pose_load");
     ready.output("pose_ready");
 }

@@ -282,6 +282,7 @@ fn active_pose<'m>(
         PoseReading::NotLast => active.loads(port, Some(of("pose_load")), reset_to),
         PoseReading::Always => {
             let next = m.register(prefixed(place, "pose_", "next_"), port.ty());
+            // Whatever is offered, until one is taken: no table with hundreds of loads is in front.
             next.loads(port, Some(of("pose_ready")), None);
             active.loads(next, Some(of("pose_load")), reset_to);
         }

@@ -25,8 +25,9 @@ pub(super) use verdict::Outcome;
 pub fn unit(p: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with",
-        "bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is",
-        "named after what it is; later copies end in _h<clocks>, or are elements of x_held.",
+        "bounds on their errors, verdict. Units are shared over the phases of the slot; a bound at a port covers all uses of",
+        "the unit. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or are elements",
+        "of x_held.",
     ];
     Library::default().with_multiplier(multiplier(p)).block("pair_pipeline", &doc, p.interval(), |u| {
         let guards = Guards::new(u, p);
