@@ -253,6 +253,11 @@ fn reset_empties_the_unit_and_restores_the_bypass() {
         unit.set("reset", 1);
         unit.clock();
         unit.set("reset", 0);
+        // In the first clock after it nothing is accepted.
+        unit.set("pose_valid", 1);
+        unit.clock();
+        assert_eq!(["in_ready", "pose_ready"].map(|name| unit.get(name)), [0; 2], "{p:?}");
+        unit.set("pose_valid", 0);
         unit.send(&pairs[2], 3);
         assert_eq!(unit.take(), (3, expected(&p, &Pose::identity(&p), &pairs[2])), "nothing from before the reset");
     }
