@@ -122,7 +122,7 @@ fn contacts_are_those_of_the_exact_test_whatever_is_switched_off() {
     fs::write(&path, POLES).unwrap();
     let scene = load(&path).unwrap();
     let mut counts = BTreeSet::new();
-    for switches in [vec![], vec![0], vec![1], vec![2], vec![3, 4, 5, 6]] {
+    for switches in share(2, [vec![], vec![0], vec![2], vec![1], vec![3, 4, 5, 6]]) {
         let mut request = request();
         switches.iter().for_each(|effect| request.wishes[*effect] = efsat::evidence::planner::Wish::Off);
         let plan = plan(&scene, &request).unwrap();
