@@ -150,6 +150,8 @@ fn a_pose_holds_for_pairs_accepted_in_a_later_clock() {
         });
         assert!(taken, "no pose is pending");
         unit.set("pose_valid", 0);
+        // What is not offered must not be read.
+        unit.put(&pose_word(&p, &second));
         unit.send(&pairs[1], 2);
         // A pose and a pair offered at once, from every clock of the slot on: the pair has the new pose if that was accepted in
         // an earlier clock, and the old one if both are accepted in the same.
@@ -169,6 +171,7 @@ fn a_pose_holds_for_pairs_accepted_in_a_later_clock() {
                 {
                     if accepted[i].is_none() && both.get(ready) == 1 {
                         accepted[i] = Some(clock);
+                        both.put(&if i == 0 { pair_word(&p, &pairs[0]) } else { pose_word(&p, &first) });
                     }
                     both.set(valid, i128::from(accepted[i].is_none()));
                 }
