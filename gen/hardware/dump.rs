@@ -57,8 +57,7 @@ fn operation(block: &Block, i: usize, labels: &[String]) -> String {
     let node = &block.nodes[i];
     let mut args: Vec<String> = node.args.iter().map(|a| labels[a.0].clone()).collect();
     let what = match &node.op {
-        Op::Input { early: 0 } => "Input".to_owned(),
-        Op::Input { early } => format!("Input until {} before the slot ends", counted(*early, "clock")),
+        Op::Input => "Input".to_owned(),
         Op::Comb(op) => combinational(op),
         Op::Phase(values) => {
             let each = values.iter().map(|v| v.map_or("-".to_owned(), |v| v.to_string()));

@@ -94,10 +94,14 @@ architecture rtl of efsat is
   signal control_decide_address : unsigned(3 downto 0);
   signal control_take_address : unsigned(3 downto 0);
   signal control_pose_load : std_logic;
+  signal control_pose_ready : std_logic;  -- a pose can be accepted
   signal pair_v : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal pair_w : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
+  signal next_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal active_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
+  signal next_t : signed_32_vector_t := zero_signed_32_vector;  -- s4.28
   signal active_t : signed_32_vector_t := zero_signed_32_vector;  -- s4.28
+  signal next_bypass : std_logic := '0';
   signal active_bypass : std_logic := '1';
   signal path_verdict : unsigned(1 downto 0);
   signal path_outside : std_logic;
@@ -126,7 +130,7 @@ begin
               phase => control_phase, load_pair => control_load_pair, holds => control_holds, in_ready => in_ready,
               accept => control_accept, decide => control_decide, out_valid => out_valid, take => control_take,
               accept_address => control_accept_address, decide_address => control_decide_address,
-              take_address => control_take_address, pose_ready => pose_ready, pose_load => control_pose_load);
+              take_address => control_take_address, pose_load => control_pose_load, pose_ready => control_pose_ready);
   path : entity work.pair_pipeline
     port map (clk => clk, phase => control_phase, holds => control_holds, in_v => pair_v, in_w => pair_w,
               pose_m => active_m, pose_t => active_t, pose_bypass => active_bypass, verdict => path_verdict,
@@ -156,19 +160,24 @@ begin
         pair_w(2)(1) <= signed(in_w2_y);
         pair_w(2)(2) <= signed(in_w2_z);
       end if;
+      if control_pose_ready = '1' then
+        next_m(0)(0) <= signed(pose_m00);
+        next_m(0)(1) <= signed(pose_m01);
+        next_m(0)(2) <= signed(pose_m02);
+        next_m(1)(0) <= signed(pose_m10);
+        next_m(1)(1) <= signed(pose_m11);
+        next_m(1)(2) <= signed(pose_m12);
+        next_m(2)(0) <= signed(pose_m20);
+        next_m(2)(1) <= signed(pose_m21);
+        next_m(2)(2) <= signed(pose_m22);
+        next_t(0) <= signed(pose_t_x);
+        next_t(1) <= signed(pose_t_y);
+        next_t(2) <= signed(pose_t_z);
+        next_bypass <= pose_bypass;
+      end if;
       if control_pose_load = '1' then
-        active_m(0)(0) <= signed(pose_m00);
-        active_m(0)(1) <= signed(pose_m01);
-        active_m(0)(2) <= signed(pose_m02);
-        active_m(1)(0) <= signed(pose_m10);
-        active_m(1)(1) <= signed(pose_m11);
-        active_m(1)(2) <= signed(pose_m12);
-        active_m(2)(0) <= signed(pose_m20);
-        active_m(2)(1) <= signed(pose_m21);
-        active_m(2)(2) <= signed(pose_m22);
-        active_t(0) <= signed(pose_t_x);
-        active_t(1) <= signed(pose_t_y);
-        active_t(2) <= signed(pose_t_z);
+        active_m <= next_m;
+        active_t <= next_t;
       end if;
       if control_take = '1' then
         offered_word <= result_queue;
@@ -184,7 +193,7 @@ begin
       if reset = '1' then
         active_bypass <= '1';
       elsif control_pose_load = '1' then
-        active_bypass <= pose_bypass;
+        active_bypass <= next_bypass;
       end if;
     end if;
   end process state;
@@ -208,6 +217,7 @@ begin
   tag_queue <= tag_queue_words(to_integer(known(control_take_address)));
 
   -- Outputs
+  pose_ready <= control_pose_ready;
   out_verdict <= std_logic_vector(offered_verdict);
   out_separated <= std_logic_vector(offered_separated);
   out_overlapping <= std_logic_vector(offered_overlapping);

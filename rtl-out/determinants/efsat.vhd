@@ -93,15 +93,14 @@ architecture rtl of efsat is
   signal control_decide_address : unsigned(5 downto 0);
   signal control_take_address : unsigned(5 downto 0);
   signal control_pose_load : std_logic;
-  signal control_pose_ready : std_logic;  -- a pose can be accepted
   signal pair_v : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal pair_w : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
-  signal active_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal next_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
-  signal active_t : signed_32_vector_t := zero_signed_32_vector;  -- s4.28
+  signal active_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal next_t : signed_32_vector_t := zero_signed_32_vector;  -- s4.28
-  signal active_bypass : std_logic := '1';
+  signal active_t : signed_32_vector_t := zero_signed_32_vector;  -- s4.28
   signal next_bypass : std_logic := '0';
+  signal active_bypass : std_logic := '1';
   signal path_verdict : unsigned(1 downto 0);
   signal path_outside : std_logic;
   signal path_separated : std_logic_vector(8 downto 0);
@@ -119,6 +118,24 @@ architecture rtl of efsat is
   signal tag_queue : unsigned(15 downto 0);  -- tags of the pairs accepted and not yet taken
   signal offered_tag : unsigned(15 downto 0) := (others => '0');  -- the host's; comes back with the verdict
 begin
+  registers : process (clk)
+  begin
+    if rising_edge(clk) then
+      next_m(0)(0) <= signed(pose_m00);
+      next_m(0)(1) <= signed(pose_m01);
+      next_m(0)(2) <= signed(pose_m02);
+      next_m(1)(0) <= signed(pose_m10);
+      next_m(1)(1) <= signed(pose_m11);
+      next_m(1)(2) <= signed(pose_m12);
+      next_m(2)(0) <= signed(pose_m20);
+      next_m(2)(1) <= signed(pose_m21);
+      next_m(2)(2) <= signed(pose_m22);
+      next_t(0) <= signed(pose_t_x);
+      next_t(1) <= signed(pose_t_y);
+      next_t(2) <= signed(pose_t_z);
+      next_bypass <= pose_bypass;
+    end if;
+  end process registers;
   result_word <= path_outside & unsigned(path_overlapping) & unsigned(path_separated) & path_verdict;
   offered_verdict <= offered_word(1 downto 0);
   offered_separated <= offered_word(10 downto 2);
@@ -129,7 +146,7 @@ begin
               load_pair => control_load_pair, in_ready => in_ready, accept => control_accept, decide => control_decide,
               out_valid => out_valid, take => control_take, accept_address => control_accept_address,
               decide_address => control_decide_address, take_address => control_take_address,
-              pose_load => control_pose_load, pose_ready => control_pose_ready);
+              pose_load => control_pose_load, pose_ready => pose_ready);
   path : entity work.pair_pipeline
     port map (clk => clk, in_v => pair_v, in_w => pair_w, pose_m => active_m, pose_t => active_t,
               pose_bypass => active_bypass, verdict => path_verdict, outside => path_outside,
@@ -162,21 +179,6 @@ begin
       if control_pose_load = '1' then
         active_m <= next_m;
         active_t <= next_t;
-      end if;
-      if control_pose_ready = '1' then
-        next_m(0)(0) <= signed(pose_m00);
-        next_m(0)(1) <= signed(pose_m01);
-        next_m(0)(2) <= signed(pose_m02);
-        next_m(1)(0) <= signed(pose_m10);
-        next_m(1)(1) <= signed(pose_m11);
-        next_m(1)(2) <= signed(pose_m12);
-        next_m(2)(0) <= signed(pose_m20);
-        next_m(2)(1) <= signed(pose_m21);
-        next_m(2)(2) <= signed(pose_m22);
-        next_t(0) <= signed(pose_t_x);
-        next_t(1) <= signed(pose_t_y);
-        next_t(2) <= signed(pose_t_z);
-        next_bypass <= pose_bypass;
       end if;
       if control_take = '1' then
         offered_word <= result_queue;
@@ -216,7 +218,6 @@ begin
   tag_queue <= tag_queue_words(to_integer(known(control_take_address)));
 
   -- Outputs
-  pose_ready <= control_pose_ready;
   out_verdict <= std_logic_vector(offered_verdict);
   out_separated <= std_logic_vector(offered_separated);
   out_overlapping <= std_logic_vector(offered_overlapping);

@@ -26,8 +26,8 @@ entity sequencer is
     accept_address : out unsigned(3 downto 0);
     decide_address : out unsigned(3 downto 0);
     take_address   : out unsigned(3 downto 0);
-    pose_ready     : out std_logic;
-    pose_load      : out std_logic
+    pose_load      : out std_logic;  -- a pose waits, and the next pair reads it
+    pose_ready     : out std_logic  -- no pose waits; clear in reset and in the first clock after
   );
 end entity sequencer;
 
@@ -58,8 +58,12 @@ architecture rtl of sequencer is
   signal offered : std_logic := '0';
   signal output_free : std_logic;
   signal take_pair : std_logic;
-  signal pose_phase : std_logic := '0';  -- set in phase 9
-  signal takes_pose : std_logic;
+  signal load_pose : std_logic := '0';  -- a pose waits, and the next pair reads it
+  signal takes_pose : std_logic := '0';  -- no pose waits; clear in reset and in the first clock after
+  signal accept_pose : std_logic;
+  signal pose_pending : std_logic := '0';
+  signal pose_waits : std_logic;
+  signal pose_pending_next : std_logic;
 begin
   taken_turned <= taken + 16;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
@@ -69,12 +73,13 @@ begin
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
   take_pair <= not empty and output_free;
-  takes_pose <= running and pose_phase;
+  accept_pose <= pose_valid and takes_pose;
+  pose_waits <= pose_pending and not load_pose;
+  pose_pending_next <= pose_waits or accept_pose;
   load_pair <= in_valid and last_phase;
   accept_address <= accepted(3 downto 0);
   decide_address <= decided(3 downto 0);
   take_address <= taken(3 downto 0);
-  pose_load <= pose_valid and takes_pose;
 
   -- State
   state : process (clk)
@@ -92,7 +97,9 @@ begin
         empty_if_moved <= '1';
         empty_if_still <= '1';
         offered <= '0';
-        pose_phase <= '0';
+        load_pose <= '0';
+        takes_pose <= '0';
+        pose_pending <= '0';
       else
         running <= '1';
         phase_i <= to_unsigned(phase_entry_table(to_integer(known(phase_i))), 4);
@@ -105,7 +112,9 @@ begin
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
-        pose_phase <= flag(known(phase_i) = 8);
+        load_pose <= pose_pending_next and flag(known(phase_i) = 9);
+        takes_pose <= not pose_pending_next;
+        pose_pending <= pose_pending_next;
       end if;
       if reset = '1' then
         accepted <= to_unsigned(0, 5);
@@ -144,5 +153,6 @@ begin
   decide <= decide_pair;
   out_valid <= offered;
   take <= take_pair;
+  pose_load <= load_pose;
   pose_ready <= takes_pose;
 end architecture rtl;

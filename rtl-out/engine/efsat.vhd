@@ -98,12 +98,12 @@ architecture rtl of efsat is
   signal control_pose_ready : std_logic;  -- a pose can be accepted
   signal pair_v : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal pair_w : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
-  signal active_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal next_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
-  signal active_t : signed_32_vector_t := zero_signed_32_vector;  -- s4.28
+  signal active_m : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
   signal next_t : signed_32_vector_t := zero_signed_32_vector;  -- s4.28
-  signal active_bypass : std_logic := '1';
+  signal active_t : signed_32_vector_t := zero_signed_32_vector;  -- s4.28
   signal next_bypass : std_logic := '0';
+  signal active_bypass : std_logic := '1';
   signal path_verdict : unsigned(1 downto 0);
   signal path_outside : std_logic;
   signal path_separated : std_logic_vector(8 downto 0);
@@ -161,10 +161,6 @@ begin
         pair_w(2)(1) <= signed(in_w2_y);
         pair_w(2)(2) <= signed(in_w2_z);
       end if;
-      if control_pose_load = '1' then
-        active_m <= next_m;
-        active_t <= next_t;
-      end if;
       if control_pose_ready = '1' then
         next_m(0)(0) <= signed(pose_m00);
         next_m(0)(1) <= signed(pose_m01);
@@ -179,6 +175,10 @@ begin
         next_t(1) <= signed(pose_t_y);
         next_t(2) <= signed(pose_t_z);
         next_bypass <= pose_bypass;
+      end if;
+      if control_pose_load = '1' then
+        active_m <= next_m;
+        active_t <= next_t;
       end if;
       if control_take = '1' then
         offered_word <= result_queue;

@@ -70,7 +70,7 @@ const POPPED: &str = "valid counts in the last phase only, ten clocks or more af
 const ROOM: &str =
     "the next push writes the place again, and never do pairs wait in all places: one is popped in every slot";
 const NOT_YET: &str = "in the clock after reset nothing is accepted and no pair is held, and then it is set anew";
-const RUNNING: &str = "pose_phase and last_phase are first set many clocks after reset, when running is long set";
+const RUNNING: &str = "last_phase is first set many clocks after reset, when running is long set";
 const AFTER_RESET: &str = "shows in the first clock after a reset alone; `protocol::` asks there";
 const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
 const PRODUCT: &str = "the factors of a product exchanged";
@@ -98,7 +98,6 @@ const VHDL: &[Explanation] = &[
     same_in_several("sequencer:last_phase:constant:'0' -> '1'", NOT_YET),
     same("sequencer:running:constant:'0' -> '1'", RUNNING),
     same("sequencer:running:delay:a register too many", RUNNING),
-    same("sequencer:pose_load:operand:takes_pose -> pose_phase", RUNNING),
     hidden("sequencer:takes_pose:constant:'0' -> '1'", AFTER_RESET),
     hidden("sequencer:pose_load:constant:'0' -> '1'", AFTER_RESET),
     same("sequencer:empty_if_moved:constant:'1' -> '0'", NOT_MOVED),

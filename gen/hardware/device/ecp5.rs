@@ -66,7 +66,7 @@ pub(super) const LFE5U_85: Device = Device {
     carry_bit: 0.07 / 2.0,
     // Set-up of the register behind the product.
     // 6.0 ns in the exact unit; a register in front of the operands is asked for by higher frequencies alone.
-    far_multipliers: Some(2.0),
+    far_multipliers: Some(3.9),
     product: (3.49, 0.0),
     product_behind_register: 0.0,
 };

@@ -28,7 +28,7 @@ pub(super) fn operation(block: &Block, i: usize) -> (Kind, String) {
             let (kind, long, short) = op.picture(&operands);
             return (Kind::Operation(kind), if long.chars().count() <= LONGEST { long } else { short });
         }
-        Op::Input { .. } | Op::Steady => (Kind::Port, "input".to_owned()),
+        Op::Input | Op::Steady => (Kind::Port, "input".to_owned()),
         Op::Mux { late } if late.len() == 1 => (Kind::Sharing, "in every phase".to_owned()),
         Op::Mux { late } => (Kind::Sharing, format!("one of {} by phase", late.len())),
         Op::Capture { phase, .. } => (Kind::Sharing, format!("captured in phase {phase}")),

@@ -24,10 +24,7 @@ pub enum Rate {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Op {
     /// An input port of the block.
-    Input {
-        /// A per-pair value changes this many clocks before the slot ends.
-        early: usize,
-    },
+    Input,
     /// An input port of the block at the top that does not change while anything is in flight.
     Steady,
     /// A combinational operation.

@@ -195,22 +195,6 @@ impl<'l> Top<'l> {
         self.port(ty, vec![range], Rate::Pair)
     }
 
-    /// An input that changes this many clocks before the slot ends.
-    ///
-    /// ```
-    /// # use efsat_hardware::testing::examples::*;
-    /// let library = Library::default();
-    /// let block = library.block("held", &[], 4, |top| (-top.input_until(NUMBER, (0, 9), 1).named("x")).named("y"));
-    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
-    /// assert_eq!(schedule.slots[0].until, 3);
-    /// # Ok::<(), device::DeviceError>(())
-    /// ```
-    pub fn input_until(self, ty: Type, range: Range, early: usize) -> Sig<'l> {
-        let input = self.input(ty, range);
-        self.library.with(self.block, |draft| draft.block.nodes[input.id.0].op = Op::Input { early });
-        input
-    }
-
     /// An input that does not change while anything is in flight: it is there in every clock, and no register holds it.
     ///
     /// ```
@@ -230,7 +214,7 @@ impl<'l> Top<'l> {
 
     /// An input with ranges of its own in every case, or the same in all.
     pub(crate) fn port(self, ty: Type, ranges: Vec<Range>, rate: Rate) -> Sig<'l> {
-        let sig = self.library.push(self.block, Op::Input { early: 0 }, vec![], ty, rate, ranges);
+        let sig = self.library.push(self.block, Op::Input, vec![], ty, rate, ranges);
         self.library.with(self.block, |draft| draft.block.inputs.push(sig.id));
         sig
     }
@@ -331,7 +315,7 @@ impl<'l> Top<'l> {
     /// assert_eq!(values, [7, 9]);
     /// ```
     pub fn later(self, ty: Type, range: Range) -> Sig<'l> {
-        let sig = self.library.push(self.block, Op::Input { early: 0 }, vec![], ty, Rate::Pair, vec![range]);
+        let sig = self.library.push(self.block, Op::Input, vec![], ty, Rate::Pair, vec![range]);
         self.library.with(self.block, |draft| draft.later.insert(sig.id.0, None));
         sig
     }

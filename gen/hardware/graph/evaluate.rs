@@ -70,7 +70,7 @@ impl Evaluator {
         for step in &self.flat.steps {
             let node = &self.flat.nodes[step.node];
             let value = match &node.op {
-                Op::Input { .. } | Op::Steady => {
+                Op::Input | Op::Steady => {
                     let port = self.flat.inputs.iter().position(|i| *i == step.node).expect("a top input");
                     inputs[port]
                 }

@@ -93,7 +93,7 @@ impl Flat {
         for (i, node) in block.nodes.iter().enumerate() {
             let node_path = format!("{path}{}", node.name());
             match &node.op {
-                Op::Input { .. } if args.is_some() => {}
+                Op::Input if args.is_some() => {}
                 Op::Instance(child) => {
                     let operands: Vec<usize> = node.args.iter().map(|a| own[a.0]).collect();
                     let child_index = self.blocks.iter().position(|u| Rc::ptr_eq(u, child)).unwrap_or_else(|| {

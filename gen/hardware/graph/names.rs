@@ -60,7 +60,7 @@ fn role(node: &Node) -> String {
         Op::Earlier(_) => "before",
         Op::Assume(..) | Op::Known(_) | Op::Point => "",
         Op::Instance(_) => "unit",
-        Op::Input { .. } | Op::Steady => "port",
+        Op::Input | Op::Steady => "port",
         Op::Output(_) => "result",
     };
     role.to_owned()

@@ -82,7 +82,7 @@ fn timed(block: &Block) -> Vec<bool> {
     let mut timed = vec![];
     for node in &block.nodes {
         timed.push(match node.op {
-            Op::Input { .. } | Op::Mux { .. } | Op::Capture { .. } | Op::ScanOr => true,
+            Op::Input | Op::Mux { .. } | Op::Capture { .. } | Op::ScanOr => true,
             _ => node.args.iter().any(|arg| timed[arg.0]),
         });
     }

@@ -130,8 +130,8 @@ impl<'a> Constraints<'a> {
         let interval = self.pass.interval();
         let bits = u64::from(node.ty.bits);
         match &node.op {
-            Op::Input { .. } if slot.until == i32::MAX => Valid::Stream(PORTS),
-            Op::Input { .. } => Valid::Pair(vec![Window { from: PORTS, until: PORTS.later(slot.until) }]),
+            Op::Input if slot.until == i32::MAX => Valid::Stream(PORTS),
+            Op::Input => Valid::Pair(vec![Window { from: PORTS, until: PORTS.later(slot.until) }]),
             Op::Comb(Comb::Constant(_)) | Op::Phase(..) | Op::Steady => Valid::Always,
             // What no output depends on is no hardware and follows the others.
             _ if !self.live[i] => Valid::Always,
@@ -309,7 +309,7 @@ impl<'a> Constraints<'a> {
             Op::Instance(_) if from.offset > 0 => self.pass.children[&origin].output_ns,
             Op::Comb(Comb::Multiply(_)) => self.pass.device.product_launch(),
             Op::Mux { late } if from.offset > 0 => self.pass.launch() + self.pass.choice(late.len()),
-            _ if from.offset > 0 || matches!(node.op, Op::Input { .. }) => self.pass.launch(),
+            _ if from.offset > 0 || matches!(node.op, Op::Input) => self.pass.launch(),
             _ => self.base(origin) + self.delay(origin),
         };
         let mut arrivals = vec![f64::NEG_INFINITY; self.pass.block.nodes.len()];

@@ -448,8 +448,8 @@ impl Pass<'_> {
         let node = &self.block.nodes[i];
         let interval = self.interval();
         match &node.op {
-            Op::Input { early } => {
-                let until = if node.rate == Rate::Pair { interval - *early as i32 } else { i32::MAX };
+            Op::Input => {
+                let until = if node.rate == Rate::Pair { interval } else { i32::MAX };
                 Slot { start: 0, from: 0, until, ns: self.launch(), registered: false }
             }
             Op::Comb(Comb::Constant(_)) => Slot::ALWAYS,

@@ -24,12 +24,12 @@ pub fn input_type(p: &Params) -> Type {
 }
 
 impl<'l> Number<Sig<'l>> {
-    /// An input; of a guarded unit any word may come. It changes this many clocks before the slot ends.
-    pub fn input(u: Top<'l>, p: &Params, bound: i128, early: usize) -> Self {
+    /// An input; of a guarded unit any word may come.
+    pub fn input(u: Top<'l>, p: &Params, bound: i128) -> Self {
         let ty = input_type(p);
         let range = if p.guarded() { ty.limits() } else { (-bound, bound) };
-        let lo = u.input_until(ty, range, early);
-        Self { lo, sticky: (p.upper == Upper::Sticky).then(|| u.input_until(Type::FLAG, (0, 1), early)) }
+        let lo = u.input(ty, range);
+        Self { lo, sticky: (p.upper == Upper::Sticky).then(|| u.input(Type::FLAG, (0, 1))) }
     }
 
     /// Flag: the upper bound is above the lower one.

@@ -68,15 +68,13 @@ pub(super) struct Inputs<'l> {
 
 impl<'l> Inputs<'l> {
     pub fn new(u: Top<'l>, p: &Params) -> Self {
-        // Where a pose is loaded in the last phase, that phase does not read it.
-        let early = usize::from(p.pose_is_free_in_last_phase());
-        let point = |bound: i128, early: usize| Vec3::each(|_| Number::input(u, p, bound, early));
-        let triangle = |name| [(); 3].map(|()| point(p.coordinate_bound(), 0)).named(name);
+        let point = |bound: i128| Vec3::each(|_| Number::input(u, p, bound));
+        let triangle = |name| [(); 3].map(|()| point(p.coordinate_bound())).named(name);
         let (v, w) = (triangle("in_v"), triangle("in_w"));
         let pose = (p.transform != Transform::Off).then(|| Pose {
-            m: (p.transform == Transform::On).then(|| [(); 3].map(|()| point(p.one(), early)).named("pose_m")),
-            t: point(p.translation_bound(), early).named("pose_t"),
-            bypass: u.input_until(Type::FLAG, (0, 1), early).named("pose_bypass"),
+            m: (p.transform == Transform::On).then(|| [(); 3].map(|()| point(p.one())).named("pose_m")),
+            t: point(p.translation_bound()).named("pose_t"),
+            bypass: u.input(Type::FLAG, (0, 1)).named("pose_bypass"),
         });
         Self { v, w, pose }
     }

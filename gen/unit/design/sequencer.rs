@@ -33,15 +33,6 @@ pub fn result_word<'m>(path: &Module, results: &[Wire<'m>], names: &[&str]) -> W
     parts[0].apply(Concatenate, &parts[1..]).named("result_word")
 }
 
-/// When the data path reads the pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PoseReading {
-    /// Not in the last phase of the slot, in which a pose can be loaded: it is accepted in the phase before.
-    NotLast,
-    /// In every phase: a pose waits in registers of its own until the slot is over.
-    Always,
-}
-
 /// What a sequencer is for.
 pub struct Sequencer {
     /// Name of the module.
@@ -52,15 +43,17 @@ pub struct Sequencer {
     pub latency: i32,
     /// Places in the result queue.
     pub places: usize,
-    /// When the data path reads a pose, if it does.
-    pub pose: Option<PoseReading>,
+    /// Whether the data path reads a pose.
+    pub pose: bool,
+    /// Whether what is offered stays until it is accepted.
+    pub stays: bool,
     /// Whether the oldest verdict is taken only with `head_ready` set.
     pub waits: bool,
 }
 
 /// The sequencer of a data path.
 pub fn module(sequencer: &Sequencer) -> Rc<Module> {
-    let Sequencer { name, interval, latency, places, pose, waits } = *sequencer;
+    let Sequencer { name, interval, latency, places, pose, stays, waits } = *sequencer;
     let address = places.trailing_zeros();
     let doc = [
         "Phases of the slot, handshakes and FIFO pointers. A pair is accepted in the last phase of a slot if a place",
@@ -68,7 +61,7 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     ];
     let m = Control::new(name, doc.map(str::to_owned).to_vec());
     let [reset, in_valid] = ["reset", "in_valid"].map(|name| m.input(name, Type::FLAG));
-    let pose = pose.map(|reading| (reading, m.input("pose_valid", Type::FLAG)));
+    let pose_valid = pose.then(|| m.input("pose_valid", Type::FLAG));
     let out_ready = m.input("out_ready", Type::FLAG);
     let head_ready = waits.then(|| m.input("head_ready", Type::FLAG));
     let running = m.register("running", Type::FLAG);
@@ -91,12 +84,22 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     let turned = taken.count.plus(1 << address).named("taken_turned");
     let full = accepted.meets("full", turned, (reset, 0));
     let in_ready = (slots.last.map_or(running, |last| running & last) & !full).named("accepts");
-    let accept = (in_valid & in_ready).named("accept_pair");
-    accepted.advance(accept, reset);
+    let last_next = slots.phase.map(|phase| phase.is(interval as i128 - 2));
     // A pair that waits for a place is loaded again in each slot: so what enables its registers, of which some are far from the
-    // others, is not the end of the logic that accepts.
-    let load = slots.last.map_or(in_valid, |last| (in_valid & last).named("load"));
+    // others, is not the end of the logic that accepts. An offer that stays is looked at a clock before the last phase, so that
+    // a register enables them.
+    let (offered, load) = match (slots.last, last_next) {
+        (Some(_), Some(last_next)) if stays => {
+            let offered = m.register("offered_in_time", Type::FLAG);
+            offered.loads(in_valid & last_next, None, Some((reset, 0)));
+            (offered, offered)
+        }
+        (Some(last), _) => (in_valid, (in_valid & last).named("load")),
+        _ => (in_valid, in_valid),
+    };
     load.output("load_pair");
+    let accept = (offered & in_ready).named("accept_pair");
+    accepted.advance(accept, reset);
 
     let holds = slots.holds(accept, latency as usize);
     if slots.phase.is_some() {
@@ -122,18 +125,8 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     accepted.count.low(address).named("accept_place").output("accept_address");
     decided.low(address).named("decide_place").output("decide_address");
     taken.count.low(address).named("take_place").output("take_address");
-    if let Some((reading, pose_valid)) = pose {
-        match reading {
-            PoseReading::NotLast => {
-                let ready = (running & slots.in_phase("pose_phase", interval - 2)).named("takes_pose");
-                ready.output("pose_ready");
-                (pose_valid & ready).named("accept_pose").output("pose_load");
-            }
-            PoseReading::Always => {
-                let last_next = slots.phase.map(|phase| phase.is(interval as i128 - 2));
-                pending_pose(&m, reset, pose_valid, last_next);
-            }
-        }
+    if let Some(pose_valid) = pose_valid {
+        pending_pose(&m, reset, pose_valid, last_next);
     }
     m.finish()
 }
@@ -142,8 +135,8 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
 /// follows; without it every phase is the last.
 fn pending_pose<'m>(m: &'m Control, reset: Wire<'m>, pose_valid: Wire<'m>, last_next: Option<Wire<'m>>) {
     let load = m.register("load_pose", Type::FLAG);
-    // Straight from a register: it enables the registers of the next pose in every clock in which none waits, and they keep the one
-    // that is taken.
+    // Straight from a register: where a slot has several clocks it enables the registers of the next pose in every clock in
+    // which none waits, and they keep the one that is taken.
     let ready = m.register("takes_pose", Type::FLAG);
     let taken = (pose_valid & ready).named("accept_pose");
     let (waits_next, load_next) = match last_next {

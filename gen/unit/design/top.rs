@@ -1,7 +1,7 @@
 //! The top: input and pose registers, sequencer, data path, result queue; and the whole design as one value.
 
 use super::exact::cascade;
-use super::sequencer::{self, PoseReading, Sequencer};
+use super::sequencer::{self, Sequencer};
 use super::{determinants, exact, number::input_type, pipeline};
 use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, DeviceError};
@@ -145,8 +145,9 @@ impl Design {
         let second = params.exact_clocks.map(|clocks| {
             let pipeline = cascade::second(params, clocks);
             let second = scheduler.schedule(&pipeline);
-            // Two clocks from a queue to the data path, and as many to the next queue, in each stage; the slot may just have begun.
-            let latency = (schedule.latency + second.latency) as usize + 8 + clocks as usize - 1;
+            // Two clocks from a queue to the data path, and as many to the next queue, in each stage; in the last clock of a slot
+            // it may be too late for the next one.
+            let latency = (schedule.latency + second.latency) as usize + 8 + clocks as usize;
             (clocks, SecondStage { pipeline, schedule: second, latency })
         });
         // So that an open pair can go through the second stage while the first goes on.
@@ -267,37 +268,20 @@ fn prefixed(place: &Place, old: &str, new: &str) -> Place {
     Place { base: place.base.replace(old, new), ..place.clone() }
 }
 
-/// The register of a word of the pose that the running slot reads; `of` are the signals of the sequencer.
-fn active_pose<'m>(
-    m: &'m Control,
-    reading: PoseReading,
-    place: &Place,
-    port: Wire<'m>,
-    reset: Wire<'m>,
-    of: impl Fn(&str) -> Wire<'m>,
-) -> Wire<'m> {
-    let reset_to = (place.base == "pose_bypass").then_some((reset, 1));
-    let active = m.register(prefixed(place, "pose_", "active_"), port.ty());
-    match reading {
-        PoseReading::NotLast => active.loads(port, Some(of("pose_load")), reset_to),
-        PoseReading::Always => {
-            let next = m.register(prefixed(place, "pose_", "next_"), port.ty());
-            // Whatever is offered, until one is taken: no table with hundreds of loads is in front.
-            next.loads(port, Some(of("pose_ready")), None);
-            active.loads(next, Some(of("pose_load")), reset_to);
-        }
-    }
-    active
-}
-
 /// The top around the data path, of a cascade with what is behind the first.
 fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Option<&Rc<Module>>) -> Rc<Module> {
     let interval = p.interval();
     let has_pose = p.transform != Transform::Off;
-    let reading = if p.pose_is_free_in_last_phase() { PoseReading::NotLast } else { PoseReading::Always };
-    let reading = has_pose.then_some(reading);
     let waits = second.is_some();
-    let control = sequencer::module(&Sequencer { name: "sequencer", interval, latency, places, pose: reading, waits });
+    let control = sequencer::module(&Sequencer {
+        name: "sequencer",
+        interval,
+        latency,
+        places,
+        pose: has_pose,
+        stays: false,
+        waits,
+    });
     let m = Control::new("efsat", header(p, latency as usize + 4, places));
     let reset = m.input("reset", Type::FLAG).comment("synchronous, active high");
     let in_valid = m.input("in_valid", Type::FLAG).comment("a pair is offered");
@@ -327,10 +311,14 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
         (place, register)
     });
     let mut inputs: HashMap<Place, Wire> = held.collect();
-    if let (Some(bypass), Some(reading)) = (bypass, reading) {
+    if let Some(bypass) = bypass {
+        // A pose waits in registers of its own until the running slot is over. Where that is one clock, they are not enabled.
+        let waits = (interval > 1).then(|| of("pose_ready"));
         let words = pose.into_iter().chain([(Place::new("pose_bypass"), bypass)]);
         inputs.extend(words.map(|(place, port)| {
-            let active = active_pose(&m, reading, &place, port, reset, of);
+            let [next, active] = ["next_", "active_"].map(|new| m.register(prefixed(&place, "pose_", new), port.ty()));
+            next.loads(port, waits, None);
+            active.loads(next, Some(of("pose_load")), (place.base == "pose_bypass").then_some((reset, 1)));
             (place, active)
         }));
     }

@@ -203,11 +203,6 @@ impl Params {
         }
     }
 
-    /// Whether no transform row is computed in the last phase of a slot, so that a pose can be loaded in it.
-    pub fn pose_is_free_in_last_phase(&self) -> bool {
-        (self.interval() - 1) * self.transform_rows() >= 9
-    }
-
     /// Bits, with the sign, of the coordinates of a pair that the exact unit gets on a grid of its own: differences that fit,
     /// and coordinates inside the declared range.
     pub fn grid_bits(&self) -> u32 {

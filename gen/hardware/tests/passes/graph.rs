@@ -147,7 +147,7 @@ fn what_does_not_fit_is_refused_by_its_name() {
     let refused = |body: for<'l> fn(Top<'l>) -> Sig<'l>| refusal(|| block(1, |top| vec![body(top).named("y")]));
     lines(
         expect![[r#"
-            block sample, Input { early: 0 }(): values from -129 to 0 do not fit s4.4
+            block sample, Input(): values from -129 to 0 do not fit s4.4
             block sample, resized(a): values from -128 to 127 do not fit s3.4
             block sample, a: shifted of a: expected to shift s4.4 by less than its width, found 8
             block sample, a: product of a and b: expected signed factors, found s4.4 and 3 bits

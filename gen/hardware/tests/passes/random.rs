@@ -92,7 +92,6 @@ fn designs_are_of_all_kinds() {
         "Assume",
         "Known",
         "Steady",
-        "before the slot ends",
     ]
     .map(|word| (word, share(word)))
     .into_iter()

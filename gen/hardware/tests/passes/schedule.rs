@@ -97,7 +97,7 @@ fn products_stand_between_registers() {
 fn values_of_pairs_are_there_for_a_slot_and_captured_again_after_it() {
     let block = block(3, |top| {
         let a = top.input(S8, ALL).named("a");
-        let b = top.input_until(S8, ALL, 1).named("b");
+        let b = top.input(S8, ALL).named("b");
         let product = ((a * a).named("square").floor(4).bits(12).named("cut") * a).named("cube");
         let phases = Phases::new(3, |s| Some([a, b, a][s]));
         let x = phases.mux().named("x");
@@ -114,7 +114,7 @@ fn values_of_pairs_are_there_for_a_slot_and_captured_again_after_it() {
           73 register bits, 44 of them in any schedule
           node       start   from    until  ns
           a          0       0       3      0.57
-          b          0       0       2      0.57
+          b          0       0       3      0.57
           square     0       1       -      3.57  from registers
           cut        1       1       -      3.57
           cube       2       3       -      3.57  from registers
@@ -124,7 +124,7 @@ fn values_of_pairs_are_there_for_a_slot_and_captured_again_after_it() {
           y#8        2       3       6      0.57
           y#9        3       3       6      7.42
           late_use   3       3       6      3.78
-          early_use  0       0       2      3.78
+          early_use  0       0       3      3.78
           cut (12 bits) is there from clock 1, delayed by 1 clock
           a (8 bits) is captured again 1 time
           early_use (9 bits) is captured again 1 time

@@ -27,8 +27,8 @@ pub fn first(p: &Params, first: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair in the first stage: differences from V0, rounded to 18 bits behind the highest of them that",
         "is set, moments, fifteen determinants with bounds on their errors, verdict. Units are shared over the phases of the",
-        "slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or are elements of",
-        "x_held.",
+        "slot; a bound at a port covers all uses of the unit. A value captured for the pair is named after what it is; later",
+        "copies end in _h<clocks>, or are elements of x_held.",
     ];
     Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
         let inputs = Inputs::new(u, p);
@@ -49,8 +49,8 @@ pub fn first(p: &Params, first: &Params) -> Rc<Block> {
 pub fn second(p: &Params, clocks: u32) -> Rc<Block> {
     let doc = [
         "The data path of one pair in the second stage: moments, fifteen determinants, the rule for pairs in one plane, verdict;",
-        "nothing is rounded. Units are shared over the phases of the slot. A value captured for the pair is named after what it",
-        "is; later copies end in _h<clocks>, or are elements of x_held.",
+        "nothing is rounded. Units are shared over the phases of the slot; a bound at a port covers all uses of the unit. A",
+        "value captured for the pair is named after what it is; later copies end in _h<clocks>, or are elements of x_held.",
     ];
     Library::with_prefix(SECOND_STAGE).block("pipeline", &doc, clocks as usize, |u| {
         let most = (1i128 << (p.width - 1)) - 1;
@@ -93,7 +93,8 @@ pub fn stage(path: &Rc<Module>, latency: i32, clocks: u32, places: usize) -> Rc<
         interval,
         latency,
         places: sequencer::places(latency, interval),
-        pose: None,
+        pose: false,
+        stays: true,
         waits: false,
     };
     let control = sequencer::module(&sequencer);
@@ -108,7 +109,7 @@ pub fn stage(path: &Rc<Module>, latency: i32, clocks: u32, places: usize) -> Rc<
         // the pointers tell of a word two clocks after it is pushed, and the next one is not taken in the clock after a pop.
         let [oldest, held] = ["oldest", "pair"].map(register);
         oldest.loads(waiting, None, None);
-        held.loads(oldest, Some(of("accept")), None);
+        held.loads(oldest, Some(of("load_pair")), None);
         ((*place).clone(), held)
     };
     let held: Vec<(Place, Wire)> = points.iter().map(held).collect();

@@ -26,8 +26,9 @@ use verdict::Outcome;
 pub fn unit(p: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair: differences from V0, moments, fifteen determinants, the rule for pairs in one plane,",
-        "verdict; nothing is rounded. Units are shared over the phases of the slot. A value captured for the pair is named",
-        "after what it is; later copies end in _h<clocks>, or are elements of x_held.",
+        "verdict; nothing is rounded. Units are shared over the phases of the slot; a bound at a port covers all uses of the",
+        "unit. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or are elements of",
+        "x_held.",
     ];
     Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
         let inputs = Inputs::new(u, p);

@@ -153,11 +153,9 @@ const OPERATIONS: [(&str, usize, Operation); 28] = [
     }),
 ];
 
-const OTHERS: [(&str, More); 21] = [
+const OTHERS: [(&str, More); 19] = [
     (SECTION, |_, _| {}),
-    ("input", |b, n| b.input(n, false)),
-    ("other_input", |b, n| b.input(n, false)),
-    ("early_input", |b, n| b.input(n, true)),
+    ("input", |b, n| b.input(n)),
     ("steady", |b, n| {
         let (ty, range) = kind(n);
         let sig = b.top.steady(ty, range);
@@ -391,14 +389,10 @@ impl<'l> Builder<'l> {
         self.values.push(Value { sig, meaning, of_late });
     }
 
-    fn input(&mut self, n: Numbers, early: bool) {
+    fn input(&mut self, n: Numbers) {
         let (ty, range) = kind(n);
-        let sig = match n[2] % self.interval {
-            clocks @ 1.. if early => self.top.input_until(ty, range, clocks),
-            _ => self.top.input(ty, range),
-        };
         self.inputs.push(range);
-        let sig = sig.named(&self.next());
+        let sig = self.top.input(ty, range).named(&self.next());
         self.plain(sig, Meaning::Pair, false);
     }
 
@@ -568,7 +562,7 @@ fn block(case: &Case, named: bool) -> Graph {
             named,
             count: Cell::default(),
         };
-        (0..2).for_each(|k| b.input([6 + k, 1, 0, 0], false));
+        (0..2).for_each(|k| b.input([6 + k, 1, 0, 0]));
         for (k, steps) in case.steps.chunk_by(|_, next| next.kind != SECTION).enumerate() {
             let take = |step: &Step| match OPERATIONS.iter().find(|x| x.0 == step.kind) {
                 Some((_, reads, f)) => b.operation(*reads, *f, step.numbers),

@@ -94,11 +94,7 @@ fn run(case: &Case) -> Option<Run> {
                 let next = holds.get(slot + 1) == Some(&true);
                 inputs[0].push(i128::from(if s + 1 == interval { next } else { value((0, 1)) == 1 }));
             }
-            for (k, id) in block.inputs.iter().enumerate() {
-                let node = block.node(*id);
-                let gone = matches!(node.op, Op::Input { early } if s + early >= interval);
-                inputs[first + k].push(if gone { value(node.ty.limits()) } else { each[k] });
-            }
+            (inputs[first..].iter_mut().zip(&each)).for_each(|(words, value)| words.push(*value));
         }
         if !pair {
             continue;
