@@ -64,6 +64,7 @@ entity {{ prefix }}engine_command is
     write_data : out std_logic_vector(63 downto 0);
 {%- endif %}
     stop : out std_logic;
+    forgets : out std_logic;  -- a soft reset; control and all others forget a clock later
     reset_word : out std_logic;  -- one clock long: a soft reset by the stream; here it is done
     stop_number : out std_logic_vector(23 downto 0)  -- of both
   );
@@ -459,6 +460,7 @@ begin
     end if;
   end process receive;
   job_valid <= pending;
+  forgets <= soft_reset or reset_taken;
   reset_word <= reset_now;
   job_words <= words;
   job_query <= query_pending;

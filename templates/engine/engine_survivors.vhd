@@ -194,7 +194,12 @@ begin
   gone(2) <= pick(2) or (pick(3) and joins_b(1) and left_over(2));
   gone(1) <= pick(1) or (pick(3) and joins_a(1) and left_over(1));
   gone(0) <= pick(0) or (((pick(2) and joins_a(0)) or (pick(1) and joins_b(0))) and left_over(0));
-  last_pick <= '1' when left_over = gone else '0';
+  -- What is picked is all that is left over, with what goes with it.
+  last_pick <= '1' when left_over = "0000" or left_over = "0001" or left_over = "0010" or left_over = "0100" or left_over = "1000" else
+    joins_a(1) when left_over = "1010" else
+    joins_a(0) when left_over = "0101" else
+    joins_b(1) when left_over = "1100" else
+    joins_b(0) when left_over = "0011" else '0';
 
   choose : process (clk)
   begin

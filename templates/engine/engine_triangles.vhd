@@ -15,7 +15,6 @@ entity {{ prefix }}engine_triangles is
     reset : in std_logic;
     -- The queries.
     running : in std_logic;  -- there is one, so that there are no packets
-    oldest : in std_logic_vector(lane_bits - 1 downto 0);  -- the one that is answered
     front : in std_logic_vector(lane_bits - 1 downto 0);  -- that whose pairs are at the unit
     leaves_only : in std_logic;  -- of it
     -- Triangles of a pair of leaves.
@@ -47,6 +46,7 @@ entity {{ prefix }}engine_triangles is
     -- Pairs that are decided, in order.
     decided_valid : out std_logic;
     decided_ready : in std_logic;
+    decided_lane : out std_logic_vector(lane_bits - 1 downto 0);
     verdict : out std_logic_vector(1 downto 0);
     decided_numbers : out std_logic_vector(55 downto 0);  -- of the triangles; flags and tag of a pair of a packet
     decided_last : out std_logic{% if e.unit.guarded %};
@@ -90,9 +90,7 @@ architecture rtl of {{ prefix }}engine_triangles is
   signal tested_unfit : std_logic;
 {%- endif %}
   signal tested_taken : std_logic;
-  signal decided_lane : std_logic_vector(lane_bits - 1 downto 0);
-  signal answerable : std_logic;  -- no older query has to be answered first
-  signal decided_taken : std_logic;
+  signal of_queries : std_logic := '0';  -- running, a clock later: between pairs of queries and of packets there are many clocks
   signal bypass_free : std_logic;
   signal bypassed_valid : std_logic := '0';
   signal bypassed_numbers : std_logic_vector(55 downto 0) := (others => '0');
@@ -122,13 +120,13 @@ begin
   -- unit's tag says which is the last of its packet{% if e.unit.signs.len() > 0 %}, and which has a number that does not fit{% endif %}.
   -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign{% if e.unit.signs.len() > 0 %}, which is looked at for
   -- pairs of packets{% endif %}.
-  unit_v <= triangle_a(triangle_corners) when running = '1' else job_words(job_pair_v);
-  unit_w <= triangle_b(triangle_corners) when running = '1' else job_words(job_pair_w);
+  unit_v <= triangle_a(triangle_corners) when of_queries = '1' else job_words(job_pair_v);
+  unit_w <= triangle_b(triangle_corners) when of_queries = '1' else job_words(job_pair_w);
 {%- if e.unit.sticky %}
-  sticky_v <= triangle_a(triangle_sticky) when running = '1' else job_words(job_pair_sticky_v);
-  sticky_w <= triangle_b(triangle_sticky) when running = '1' else job_words(job_pair_sticky_w);
+  sticky_v <= triangle_a(triangle_sticky) when of_queries = '1' else job_words(job_pair_sticky_v);
+  sticky_w <= triangle_b(triangle_sticky) when of_queries = '1' else job_words(job_pair_sticky_w);
 {%- endif %}
-  unit_tag <= triangles_lane & numbers when running = '1' else
+  unit_tag <= triangles_lane & numbers when of_queries = '1' else
     "{{ e.unit.unit_tag_zeros }}" & {% if e.unit.signs.len() > 0 %}(packet_unfit or pose_unfit) & {% endif %}packet_last & job_words(job_pair_tag);
   packet_taken <= packet_valid and unit_ready;
 
@@ -160,6 +158,7 @@ begin
   bypass : process (clk)
   begin
     if rising_edge(clk) then
+      of_queries <= running;
       if bypass_free = '1' then
         bypassed_numbers <= numbers;
       end if;
@@ -167,7 +166,7 @@ begin
         bypassed_valid <= '0';
       elsif bypass_free = '1' then
         bypassed_valid <= passes_them;
-      elsif decided_taken = '1' then
+      elsif decided_ready = '1' then
         bypassed_valid <= '0';
       end if;
     end if;
@@ -198,24 +197,22 @@ begin
     );
   tested_numbers <= tested_tag(55 downto 0);
   decided_lane <= front when leaves_only = '1' else tested_tag(lane_bits + 55 downto 56);
-  answerable <= '1' when decided_lane = oldest or running = '0' else '0';
-  decided_taken <= decided_ready and answerable;
-  tested_taken <= decided_taken and not leaves_only;
-  decided_valid <= bypassed_valid and answerable when leaves_only = '1' else tested_valid and answerable;
+  tested_taken <= decided_ready and not leaves_only;
+  decided_valid <= bypassed_valid when leaves_only = '1' else tested_valid;
 {%- if e.unit.signs.len() > 0 %}
-  tested_unfit <= tested_numbers(tag_unfit) and not running;
+  tested_unfit <= tested_numbers(tag_unfit) and not of_queries;
   verdict <= "10" when leaves_only = '1' or tested_unfit = '1' else tested_verdict;
   tested_flags <= (others => '0') when tested_unfit = '1' else "{{ e.unit.flag_zeros }}" & tested_overlapping & tested_separated;
-  decided_outside <= (tested_outside or tested_unfit) and not running;
+  decided_outside <= (tested_outside or tested_unfit) and not of_queries;
 {%- else %}
   verdict <= "10" when leaves_only = '1' else tested_verdict;
   tested_flags <= "{{ e.unit.flag_zeros }}" & tested_overlapping & tested_separated;
 {%- if e.unit.guarded %}
-  decided_outside <= tested_outside and not running;
+  decided_outside <= tested_outside and not of_queries;
 {%- endif %}
 {%- endif %}
   decided_numbers <= bypassed_numbers when leaves_only = '1' else
-    tested_numbers when running = '1' else
+    tested_numbers when of_queries = '1' else
     tested_flags & tested_numbers({{ e.unit.pair_tag }});
-  decided_last <= tested_numbers(tag_last) and not running;
+  decided_last <= tested_numbers(tag_last) and not of_queries;
 end architecture rtl;

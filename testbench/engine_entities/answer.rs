@@ -10,6 +10,7 @@ struct Decided {
     verdict: u64,
     numbers: u64,
     last: bool,
+    lane: u64,
 }
 
 /// How pairs are treated.
@@ -36,6 +37,9 @@ struct Around {
     unsure: u64,
     /// No word is taken.
     stands: bool,
+    oldest: u64,
+    /// No query runs.
+    of_packets: bool,
 }
 
 impl Around {
@@ -49,12 +53,14 @@ impl Around {
         options: Options,
     ) -> Result<bool, String> {
         let ready = !self.stands && !seldom(rng, 3);
-        let Decided { verdict, numbers, last } = pair.unwrap_or(Decided { verdict: 1, numbers: 0, last: true });
+        let Decided { verdict, numbers, last, lane } =
+            pair.unwrap_or(Decided { verdict: 1, numbers: 0, last: true, lane: 0 });
         for (port, value) in [
             ("decided_valid", pair.is_some().into()),
             ("verdict", verdict),
             ("numbers", numbers),
             ("last", last.into()),
+            ("decided_lane", lane),
             ("dropping", options.dropping.into()),
             ("separate_too", options.separate_too.into()),
             ("stop_at_contact", options.stop_at_contact.into()),
@@ -65,8 +71,9 @@ impl Around {
         entity.settle();
         let mut contact = self.contact;
         if entity.is("pair_answered") {
-            let Decided { verdict, numbers, last } =
+            let Decided { verdict, numbers, last, lane } =
                 self.held.pop_front().ok_or(format!("clock {clock}: a pair from nowhere is answered"))?;
+            expect(lane == self.oldest || self.of_packets, clock, "a pair is answered before its query is the oldest")?;
             let Options { dropping, separate_too, stop_at_contact } = self.before[0];
             if !dropping && !self.contact {
                 self.certain += u64::from(verdict == 1);
@@ -102,7 +109,8 @@ impl Around {
             *clock += 1;
             self.clock(entity, rng, *clock, None, options)?;
         }
-        expect(self.held.is_empty() && self.due.is_empty(), *clock, "a pair without an answer")
+        let waits = self.held.iter().all(|pair| pair.lane != self.oldest && !self.of_packets);
+        expect(waits && self.due.is_empty(), *clock, "a pair without an answer")
     }
 }
 
@@ -122,6 +130,8 @@ fn answer(entity: &mut Entity) -> Outcome {
     for round in 0..48u64 {
         let oldest = round / 3 % LANES;
         entity.set("oldest", oldest);
+        (around.oldest, around.of_packets) = (oldest, round % 5 == 4);
+        entity.set("running", (!around.of_packets).into());
         entity.set("clear", 1 << oldest);
         entity.set("renew", 1);
         around.drain(entity, &mut rng, &mut clock, Options::default())?;
@@ -163,6 +173,7 @@ fn answer(entity: &mut Entity) -> Outcome {
                 verdict: rng.random_range(0..3),
                 numbers: rng.random_range(0..1 << 56),
                 last: seldom(&mut rng, 8),
+                lane: if around.of_packets { rng.random_range(0..LANES) } else { oldest },
             });
             around.clock(entity, &mut rng, clock, pair, options)?;
         }
@@ -170,6 +181,15 @@ fn answer(entity: &mut Entity) -> Outcome {
         LANE_EVENTS.iter().chain(&EVENTS).for_each(|(port, _)| entity.set(port, 0));
         entity.set("stalled", 0);
         around.drain(entity, &mut rng, &mut clock, options)?;
+        if round % 3 == 2 && !around.of_packets {
+            // Pairs of the next query are held until it is the oldest.
+            for numbers in [1, 2] {
+                clock += 1;
+                let pair = Decided { verdict: 2, numbers, last: false, lane: (oldest + 1) % LANES };
+                around.clock(entity, &mut rng, clock, Some(pair), options)?;
+            }
+            expect(around.held.len() == 2, clock, "a pair that is not held")?;
+        }
 
         let (reason, number) = (round % 11, rng.random_range(0..1 << 24));
         let (short, stack) = (round % 2 == 1, rng.random_range(0..1 << 10));
@@ -234,6 +254,10 @@ fn answer(entity: &mut Entity) -> Outcome {
 fn answers_reports_and_counts_are_those_of_the_pairs() {
     let changes = [
         ("free <= m_axis_tready or not offered;", "free <= '1';"),
+        ("due <= head_valid and head_due;", "due <= head_valid;"),
+        ("if coming_lane = oldest then", "if head_lane = oldest then"),
+        ("next_lane <= decided_lane;", "next_lane <= oldest;"),
+        ("head_due <= not running;", "head_due <= '0';"),
         ("decided_ready <= not next_valid;", "decided_ready <= '1';"),
         ("head_verdict /= separate or all_speak = '1' else", "head_verdict /= separate else"),
         ("speaks <= head_valid and not drops and", "speaks <= head_valid and"),
