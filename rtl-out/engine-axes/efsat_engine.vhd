@@ -71,10 +71,11 @@ end entity efsat_engine;
 architecture rtl of efsat_engine is
   signal reset : std_logic;
   signal reset_word : std_logic;  -- a soft reset by the stream
-  signal forget : std_logic;  -- a soft reset
+  signal forgets : std_logic;  -- a soft reset
+  signal forget : std_logic := '0';  -- the same, a clock later
   signal forget_number : std_logic_vector(23 downto 0);  -- for its report
   signal forgotten : std_logic;
-  signal restart : std_logic;  -- all that works on a query forgets it
+  signal restart : std_logic := '0';  -- all that works on a query forgets it
 
   -- Jobs and the queries in flight
   signal job_valid : std_logic;
@@ -96,6 +97,7 @@ architecture rtl of efsat_engine is
   signal busy : std_logic;
   signal running : std_logic;
   signal oldest : std_logic_vector(lane_bits - 1 downto 0);
+  signal oldest_flags : std_logic_vector(lanes - 1 downto 0);
   signal retire : std_logic;
   signal counting : std_logic_vector(lanes - 1 downto 0);
   signal posed : std_logic_vector(lanes - 1 downto 0);
@@ -105,6 +107,7 @@ architecture rtl of efsat_engine is
   signal start : std_logic;
   signal start_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal most_expansions : std_logic_vector(31 downto 0);
+  signal aborts : std_logic;
   signal abort : std_logic;
   signal checked_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal checked : std_logic_vector(head_bits - 1 downto 0);
@@ -121,7 +124,7 @@ architecture rtl of efsat_engine is
   signal option_separate_too : std_logic;
   signal separate_too : std_logic;
   signal leaves_of : std_logic_vector(lanes - 1 downto 0);
-  signal leaves_only : std_logic;  -- of the query whose pairs are at the unit
+  signal leaves_only : std_logic := '0';  -- of the query whose pairs are at the unit
   signal query_pose : std_logic_vector(query_pose_bits - 1 downto 0);
   signal query_shift : std_logic_vector(query_shift_bits - 1 downto 0);
   signal query_errors : std_logic_vector(query_errors_bits - 1 downto 0);
@@ -181,6 +184,7 @@ architecture rtl of efsat_engine is
   signal triangle_b : std_logic_vector(triangle_bits - 1 downto 0);
   signal decided_valid : std_logic;
   signal decided_ready : std_logic;
+  signal decided_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal verdict : std_logic_vector(1 downto 0);
   signal decided_numbers : std_logic_vector(55 downto 0);
   signal decided_last : std_logic;
@@ -214,12 +218,21 @@ architecture rtl of efsat_engine is
   signal flushing : std_logic;
 begin
   reset <= not aresetn;
-  forget <= soft_reset or reset_word;
   forget_number <= stop_number when reset_word = '1' else (others => '0');
   forgotten <= reset or forget;
-  restart <= forgotten or abort;
   idle <= traverse_idle and pairs_idle;
   reads <= pairs_read or not traverse_idle(to_integer(unsigned(oldest)));
+
+  -- In registers, because they are read everywhere.
+  keep : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      forget <= forgets and not reset;
+      -- Until the unit has the pose of the query in front, none of its pairs goes on: it may be a clock late.
+      leaves_only <= leaves_of(to_integer(unsigned(front)));
+      restart <= reset or forgets or aborts;
+    end if;
+  end process keep;
 
   -- ===== Queries =====
   command : entity work.engine_command
@@ -245,6 +258,7 @@ begin
       pair_taken => packet_taken,
       pair_last => packet_last,
       stop => stop,
+      forgets => forgets,
       reset_word => reset_word,
       stop_number => stop_number
     );
@@ -270,6 +284,7 @@ begin
       busy => busy,
       running => running,
       oldest => oldest,
+      oldest_flags => oldest_flags,
       counting => counting,
       posed => posed,
       started => started,
@@ -278,6 +293,7 @@ begin
       start => start,
       start_lane => start_lane,
       most_expansions => most_expansions,
+      aborts => aborts,
       abort => abort,
       retire => retire,
       idle => idle,
@@ -329,7 +345,6 @@ begin
       stop_at_contact => stop_at_contact,
       separate_too => option_separate_too
     );
-  leaves_only <= leaves_of(to_integer(unsigned(front)));
   -- Of packets of pairs all are answered: what the options of the last query in the lane were means nothing.
   separate_too <= option_separate_too or not running;
   ends_at_contact <= stop_at_contact and running;
@@ -443,7 +458,6 @@ begin
       clk => aclk,
       reset => restart,
       running => running,
-      oldest => oldest,
       front => front,
       leaves_only => leaves_only,
       triangles_valid => triangles_valid,
@@ -463,6 +477,7 @@ begin
       pose => pose,
       decided_valid => decided_valid,
       decided_ready => decided_ready,
+      decided_lane => decided_lane,
       verdict => verdict,
       decided_numbers => decided_numbers,
       decided_last => decided_last,
@@ -477,6 +492,8 @@ begin
       restart => restart,
       decided_valid => decided_valid,
       decided_ready => decided_ready,
+      decided_lane => decided_lane,
+      running => running,
       verdict => verdict,
       numbers => decided_numbers,
       last => decided_last,
@@ -518,7 +535,7 @@ begin
     );
   begin_again : for lane in 0 to lanes - 1 generate
     clear(lane) <= reset or job_taken or (abort and not counting(lane)) when unsigned(job_lane) = lane else
-      reset or abort when unsigned(oldest) /= lane else reset;
+      reset or abort when oldest_flags(lane) = '0' else reset;
   end generate begin_again;
   renew <= reset or retire or not running;
   paired <= pair_valid and pair_ready;

@@ -42,6 +42,7 @@ entity engine_control is
     busy : out std_logic;  -- there is one, or a report, or a job is being taken
     running : out std_logic;  -- there is one, or the report of another job
     oldest : out std_logic_vector(lane_bits - 1 downto 0);
+    oldest_flags : out std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
     counting : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a query that is not reported yet
     posed : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a pose for the triangle unit
     started : out std_logic_vector(lanes - 1 downto 0);
@@ -50,7 +51,8 @@ entity engine_control is
     start : out std_logic;  -- one clock long
     start_lane : out std_logic_vector(lane_bits - 1 downto 0);
     most_expansions : out std_logic_vector(31 downto 0);  -- of the query that starts
-    abort : out std_logic;  -- one clock long: all work is forgotten after a memory error
+    aborts : out std_logic;  -- one clock long: all work is forgotten in the next clock, after a memory error
+    abort : out std_logic;  -- that clock
     retire : out std_logic;  -- one clock long: the oldest query is done
     -- How it goes.
     idle : in std_logic_vector(lanes - 1 downto 0);  -- nothing was to be done any more, a clock ago
@@ -80,6 +82,7 @@ architecture rtl of engine_control is
 
   -- Lanes, in turn: from the oldest to where the next job goes.
   signal oldest_lane : lane_number := (others => '0');
+  signal is_oldest : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
   signal admitted_lane : lane_number := (others => '0');  -- that is admitted next
   signal next_lane : lane_number := (others => '0');  -- of the next job
   signal occupied : flags := (others => '0');
@@ -95,6 +98,7 @@ architecture rtl of engine_control is
   signal not_reported : flags;  -- lanes with a query that is not reported yet
   -- What follows from these, each in a register of its own, because it is read in many places.
   signal running_now : std_logic := '0';
+  signal busy_now : std_logic := '0';  -- a query or another job is taken, or one is about to be
   signal ending_now : flags := (others => '1');
   signal drops : flags := (others => '0');  -- a query runs there, and has a reason to end
 
@@ -120,9 +124,11 @@ architecture rtl of engine_control is
   -- The end of the oldest query.
   signal reporting : std_logic := '0';
   signal retires : std_logic;
+  signal here : flags;  -- the lane of the oldest, if it is admitted
   signal reads_before : std_logic := '0';
   signal error_before : std_logic := '0';
   signal silent_before : std_logic := '0';
+  signal fails : std_logic;  -- it reads, and memory has failed
   signal aborting : std_logic := '0';
 begin
   all_idle <= '1' when idle = all_lanes else '0';
@@ -130,8 +136,9 @@ begin
   job_lane <= std_logic_vector(next_lane);
   checked_lane <= std_logic_vector(admitted_lane);
   running <= running_now;
-  busy <= running_now when phase = waiting_state else '1';
+  busy <= busy_now;
   oldest <= std_logic_vector(oldest_lane);
+  oldest_flags <= is_oldest;
   posed <= has_pose;
   started <= started_now;
   ending <= ending_now;
@@ -143,6 +150,7 @@ begin
   report_due <= reporting;
   short <= shorts(to_integer(oldest_lane));
   reason <= reasons(to_integer(oldest_lane));
+  aborts <= fails;
   abort <= aborting;
   flush <= flush_now;
 
@@ -152,8 +160,12 @@ begin
     job_valid and job_query and asked(to_integer(oldest_lane)) and not occupied(to_integer(next_lane));
   admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
+  here <= occupied and admitted and is_oldest;
+  fails <= reads_before and (error_before or silent_before) and not (reporting or aborting or reset or forget)
+    when (here and started_now) /= no_lane else '0';
+
   by_lane : for lane in 0 to lanes - 1 generate
-    not_reported(lane) <= occupied(lane) and asked(lane) when reporting = '0' or oldest_lane /= lane else '0';
+    not_reported(lane) <= occupied(lane) and asked(lane) when reporting = '0' or is_oldest(lane) = '0' else '0';
   end generate by_lane;
   counting <= not_reported;
 
@@ -196,6 +208,7 @@ begin
   proceed : process (clk)
     variable next_phase : phase_state;
     variable next_oldest : lane_number;
+    variable next_is_oldest : flags;
     variable now_admitted : boolean;  -- the query that is checked
     variable refused : std_logic_vector(4 downto 0);  -- why it does not start, or fine
     variable now_occupied : flags;
@@ -203,11 +216,11 @@ begin
     variable now_reasons : lane_reasons;
     variable now_sound : flags;
     variable now_reporting : std_logic;
-    variable old : natural range 0 to lanes - 1;
   begin
     if rising_edge(clk) then
       next_phase := phase;
       next_oldest := oldest_lane;
+      next_is_oldest := is_oldest;
       now_admitted := false;
       refused := fine;
       now_occupied := occupied;
@@ -215,7 +228,6 @@ begin
       now_reasons := reasons;
       now_sound := sound;
       now_reporting := reporting;
-      old := to_integer(oldest_lane);
       started_pulse <= '0';
       started_lane <= admitted_lane;
       idle_is_old <= taken or retires;
@@ -223,7 +235,7 @@ begin
       error_before <= memory_error;
       silent_before <= memory_silent;
       flush_now <= '0';
-      aborting <= '0';
+      aborting <= fails;
 
       -- Jobs, and the query that is admitted next.
       if phase = waiting_state then
@@ -310,11 +322,11 @@ begin
 
       -- Reasons to end; that of the oldest stays from its report on.
       for lane in 0 to lanes - 1 loop
-        if started_now(lane) = '1' and sound(lane) = '1' and (reporting = '0' or oldest_lane /= lane) then
+        if started_now(lane) = '1' and sound(lane) = '1' and (reporting = '0' or is_oldest(lane) = '0') then
           if bad_tree(lane) = '1' then
             now_reasons(lane) := reason_bad_tree;
             now_sound(lane) := '0';
-          elsif contact = '1' and oldest_lane = lane then
+          elsif contact = '1' and is_oldest(lane) = '1' then
             now_reasons(lane) := reason_contact;
             now_sound(lane) := '0';
           elsif limit_reached(lane) = '1' then
@@ -333,7 +345,8 @@ begin
           now_reporting := '0';
           next_oldest := oldest_lane + 1;
           for lane in 0 to lanes - 1 loop
-            if oldest_lane = lane then
+            next_is_oldest(lane) := is_oldest((lane + lanes - 1) mod lanes);
+            if is_oldest(lane) = '1' then
               now_occupied(lane) := '0';
               now_started(lane) := '0';
               admitted(lane) <= '0';
@@ -348,7 +361,7 @@ begin
         next_phase := waiting_state;
         started_pulse <= '0';
         for lane in 0 to lanes - 1 loop
-          if oldest_lane /= lane then
+          if is_oldest(lane) = '0' then
             admitted(lane) <= '0';
             now_started(lane) := '0';
             now_reasons(lane) := fine;
@@ -356,25 +369,40 @@ begin
           end if;
         end loop;
         admitted_lane <= oldest_lane + 1;
-      elsif occupied(old) = '1' and admitted(old) = '1' then
-        if started_now(old) = '1' and reads_before = '1' and (error_before or silent_before) = '1' then
-          for lane in 0 to lanes - 1 loop
-            if oldest_lane = lane and sound(lane) = '1' then
-              now_sound(lane) := '0';
-              now_reasons(lane) := reason_silent;
-              if error_before = '1' then
-                now_reasons(lane) := reason_memory;
-              end if;
+      elsif fails = '1' then
+        for lane in 0 to lanes - 1 loop
+          if is_oldest(lane) = '1' and sound(lane) = '1' then
+            now_sound(lane) := '0';
+            now_reasons(lane) := reason_silent;
+            if error_before = '1' then
+              now_reasons(lane) := reason_memory;
             end if;
-          end loop;
-          aborting <= '1';
-        elsif idle(old) = '1' and started_pulse = '0' and idle_is_old = '0' then
-          -- What has just begun was idle a clock ago.
-          now_reporting := '1';
-        end if;
+          end if;
+        end loop;
+      elsif (here and idle) /= no_lane and started_pulse = '0' and idle_is_old = '0' then
+        -- What has just begun was idle a clock ago.
+        now_reporting := '1';
       end if;
 
+      -- Told before what is forgotten is, which then is not in the way of all this.
+      running_now <= '0';
+      if now_occupied /= no_lane then
+        running_now <= '1';
+      end if;
+      busy_now <= '0';
+      if now_occupied /= no_lane or next_phase /= waiting_state then
+        busy_now <= '1';
+      end if;
+      for lane in 0 to lanes - 1 loop
+        ending_now(lane) <= not (now_started(lane) and now_sound(lane));
+        drops(lane) <= now_started(lane) and not now_sound(lane);
+      end loop;
+
       if (reset or forget) = '1' then
+        running_now <= not reset;
+        busy_now <= not reset;
+        ending_now <= all_lanes;
+        drops <= no_lane;
         next_phase := waiting_state;
         now_reporting := '0';
         now_occupied := no_lane;
@@ -384,14 +412,14 @@ begin
         started_pulse <= '0';
         known <= '0';
         flush_now <= '0';
-        aborting <= '0';
         -- One report for all that is forgotten, in the lane of the oldest.
         next_oldest := oldest_lane;
+        next_is_oldest := is_oldest;
         admitted_lane <= oldest_lane;
         next_lane <= oldest_lane;
         if reset = '0' then
           for lane in 0 to lanes - 1 loop
-            if oldest_lane = lane then
+            if is_oldest(lane) = '1' then
               now_occupied(lane) := '1';
               asked(lane) <= '0';
               admitted(lane) <= '1';
@@ -407,6 +435,7 @@ begin
 
       phase <= next_phase;
       oldest_lane <= next_oldest;
+      is_oldest <= next_is_oldest;
       occupied <= now_occupied;
       started_now <= now_started;
       reasons <= now_reasons;
@@ -416,14 +445,6 @@ begin
       if next_phase = take_state then
         taken <= '1';
       end if;
-      running_now <= '0';
-      if now_occupied /= no_lane then
-        running_now <= '1';
-      end if;
-      for lane in 0 to lanes - 1 loop
-        ending_now(lane) <= not (now_started(lane) and now_sound(lane));
-        drops(lane) <= now_started(lane) and not now_sound(lane);
-      end loop;
     end if;
   end process proceed;
 end architecture rtl;

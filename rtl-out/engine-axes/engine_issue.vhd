@@ -70,6 +70,7 @@ architecture rtl of engine_issue is
   signal only_one : std_logic;
   type lane_entries is array (0 to lanes - 1) of std_logic_vector(entry_bits - 1 downto 0);
   signal pop : std_logic;
+  signal lives : flags;  -- chosen, and not about to end
   signal pops : flags;
   signal may_pop : flags;
   -- The oldest query, a clock later: the next one is oldest only when nothing of the one before it is left.
@@ -118,7 +119,7 @@ begin
     finished_here <= nodes_finished when finished_lane = lane else '0';
     sent_here <= sends_pair when unsigned(leaf_lane) = lane else '0';
     leaves_here <= leaves_finished when unsigned(leaf_lane) = lane else '0';
-    pops(lane) <= chosen(lane) and not ending(lane) and issue_free;
+    pops(lane) <= lives(lane) and issue_free;
 
     by_age : for other in 0 to lanes - 1 generate
       earlier(other) <= may_pop(other) when other - first_lane < lane - first_lane else '0';
@@ -167,7 +168,8 @@ begin
   chosen_entry <= top_entry(to_integer(chosen_lane));
   some_chosen <= '0' when chosen = nobody else '1';
   issue_free <= request_ready or not issued;
-  pop <= '0' when pops = nobody else '1';
+  lives <= chosen and not ending;
+  pop <= '0' when lives = nobody else issue_free;
   popped <= pop;
   popped_lane <= chosen_lane;
   popped_entry <= chosen_entry;

@@ -77,8 +77,10 @@ architecture rtl of engine_pairs is
   signal fetches : std_logic;
   -- The first pair of the front lane.
   signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal is_front : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
   signal next_lane : unsigned(lane_bits - 1 downto 0);
   signal front_ending : std_logic;
+  signal front_waits : std_logic;
   signal head : std_logic_vector(55 downto 0) := (others => '0');
   signal head_valid : std_logic := '0';
   signal head_leaves : std_logic;
@@ -89,7 +91,9 @@ architecture rtl of engine_pairs is
   signal of_last : unsigned(open_bits - 1 downto 0) := (others => '0');
   signal of_front : unsigned(open_bits - 1 downto 0) := (others => '0');
   signal some_of_last : std_logic := '0';
-  signal triangles_of : unsigned(lane_bits - 1 downto 0);
+  signal last_left : std_logic;  -- there are some behind this clock
+  signal front_left : std_logic;
+  signal triangles_of : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- the last lane, or the front where none of it is left
   signal dropped : std_logic;
   signal has_pose : std_logic := '0';  -- the unit has the pose of the front lane, or is to keep the one it has
   signal offers_pose : std_logic;
@@ -110,17 +114,19 @@ begin
   fetch_place <= front_lane & fetched(to_integer(front_lane));
   accepts <= pair_valid and not full(to_integer(unsigned(pair_lane)));
   pair_ready <= not full(to_integer(unsigned(pair_lane)));
-  front_ending <= ending(to_integer(front_lane));
+  front_ending <= '0' when (ending and is_front) = nobody else '1';
+  front_waits <= '0' when (some_wait and is_front) = nobody else '1';
   asks <= head_valid and not front_ending;
   asked <= asks and request_ready;
   request_valid <= asks;
   request_a <= head(55 downto 28);
   request_b <= head(27 downto 0);
   head_leaves <= head_valid and (front_ending or request_ready);
-  fetches <= some_wait(to_integer(front_lane)) and not front_ending and (head_leaves or not head_valid);
+  fetches <= front_waits and not front_ending and (request_ready or not head_valid);
   front <= std_logic_vector(front_lane);
 
-  triangles_of <= last_lane when some_of_last = '1' else front_lane;
+  last_left <= '0' when some_of_last = '0' or (triangles_taken = '1' and of_last = 1) else '1';
+  front_left <= '1' when asked = '1' or (of_front /= 0 and (triangles_taken = '0' or some_of_last = '1' or of_front /= 1)) else '0';
   triangles_lane <= std_logic_vector(triangles_of);
   testable <= some_of_last or has_pose;
   drops <= ending(to_integer(triangles_of));
@@ -133,20 +139,18 @@ begin
   advance_free <= '1' when (some_open or opened) = nobody else
     not (leaves_only(to_integer(front_lane)) or leaves_only(to_integer(next_lane)));
   ends_front <= retire when front_lane = unsigned(oldest) else '0';
-  may_advance <= has_pose and traversed(to_integer(front_lane)) and advance_free and not some_wait(to_integer(front_lane))
+  may_advance <= has_pose and traversed(to_integer(front_lane)) and advance_free and not front_waits
     and not head_valid and started(to_integer(next_lane)) when next_lane /= unsigned(oldest) else '0';
 
   each_lane : for lane in 0 to lanes - 1 generate
-    signal is_front : std_logic;
   begin
-    is_front <= '1' when front_lane = lane else '0';
-    pair_left(lane) <= fetches and is_front;
+    pair_left(lane) <= fetches and is_front(lane);
 
     rest : process (clk)
     begin
       if rising_edge(clk) then
         idle(lane) <= not some_open(lane) and not opened(lane) and not some_wait(lane)
-          and not (is_front and (head_valid or (posed(lane) and not has_pose)));
+          and not (is_front(lane) and (head_valid or (posed(lane) and not has_pose)));
       end if;
     end process rest;
   end generate each_lane;
@@ -176,7 +180,7 @@ begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
         comes := pair_valid = '1' and full(lane) = '0' and unsigned(pair_lane) = lane;
-        goes := fetches = '1' and front_lane = lane;
+        goes := fetches = '1' and is_front(lane) = '1';
         if comes then
           written(lane) <= written(lane) + 1;
         end if;
@@ -205,7 +209,7 @@ begin
           full(lane) <= '0';
         end if;
         opened(lane) <= '0';
-        if (asked = '1' and front_lane = lane) or (sent = '1' and unsigned(oldest) = lane) then
+        if (asked = '1' and is_front(lane) = '1') or (sent = '1' and unsigned(oldest) = lane) then
           opened(lane) <= '1';
         end if;
         dropped_one(lane) <= '0';
@@ -259,27 +263,39 @@ begin
         has_pose <= '1';
       end if;
       advances <= may_advance and not advances and not ends_front;
+      some_of_last <= last_left;
+      triangles_of <= front_lane;
+      if last_left = '1' then
+        triangles_of <= last_lane;
+      end if;
       if (advances or ends_front) = '1' then
         left_of_last := left_of_front;
         left_of_front := (others => '0');
+        some_of_last <= front_left;
         last_lane <= front_lane;
         front_lane <= next_lane;
+        for lane in 0 to lanes - 1 loop
+          is_front(lane) <= is_front((lane + lanes - 1) mod lanes);
+        end loop;
+        if front_left = '0' then
+          triangles_of <= next_lane;
+        end if;
         has_pose <= '0';
       end if;
       if reset = '1' then
         left_of_last := (others => '0');
         left_of_front := (others => '0');
+        some_of_last <= '0';
         front_lane <= unsigned(oldest);
+        is_front <= nobody;
+        is_front(to_integer(unsigned(oldest))) <= '1';
+        triangles_of <= unsigned(oldest);
         has_pose <= '0';
         advances <= '0';
         head_valid <= '0';
       end if;
       of_last <= left_of_last;
       of_front <= left_of_front;
-      some_of_last <= '0';
-      if left_of_last /= 0 then
-        some_of_last <= '1';
-      end if;
     end if;
   end process count;
 end architecture rtl;

@@ -48,11 +48,12 @@ architecture rtl of engine_triangle_cache is
 
   -- Requests: two are held, so that readiness depends on registers alone.
   signal arrives : std_logic;
-  signal ready : std_logic;
+  signal ready : std_logic := '0';
   signal head_valid : std_logic := '0';
   signal wanted : unsigned(25 downto 0);  -- address of the line
   signal address : unsigned(25 downto 0) := (others => '0');  -- of the first request
   signal next_valid : std_logic := '0';
+  signal next_stays : std_logic;
   signal next_address : unsigned(25 downto 0) := (others => '0');
   signal head_leaves : std_logic;
 
@@ -79,6 +80,7 @@ architecture rtl of engine_triangle_cache is
   signal passes : std_logic;
   signal misses : std_logic;
   signal sweeping : std_logic := '1';
+  signal sweeps : std_logic;  -- and goes on
   signal sweep_place : unsigned(place_bits - 1 downto 0) := (others => '0');
   signal asking : std_logic := '0';
   signal asked_address : unsigned(25 downto 0) := (others => '0');
@@ -125,10 +127,11 @@ architecture rtl of engine_triangle_cache is
   signal whole : std_logic_vector(319 downto 0);
 begin
   -- ===== Requests =====
-  ready <= not next_valid and not sweeping;
   request_ready <= ready;
   arrives <= ready and request_valid;
   head_leaves <= head_valid and (looked_leaves or not looked);
+  next_stays <= '0' when head_leaves = '1' or head_valid = '0' else next_valid or arrives;
+  sweeps <= '1' when flush = '1' or (sweeping = '1' and sweep_place /= line_count - 1) else '0';
   wanted <= unsigned(base) + unsigned(request(25 downto 0));
 
   -- A number has at most 28 bits, an address 26. Control runs no query whose tree ends beyond the last address, and the
@@ -148,11 +151,13 @@ begin
       if reset = '1' then
         head_valid <= '0';
         next_valid <= '0';
-      elsif head_leaves = '1' or head_valid = '0' then
-        head_valid <= next_valid or arrives;
-        next_valid <= '0';
+        ready <= '0';
       else
-        next_valid <= next_valid or arrives;
+        if head_leaves = '1' or head_valid = '0' then
+          head_valid <= next_valid or arrives;
+        end if;
+        next_valid <= next_stays;
+        ready <= not (next_stays or sweeps);
       end if;
     end if;
   end process hold;
@@ -243,11 +248,9 @@ begin
         end if;
         sweep_place <= sweep_place + 1;
         if flush = '1' then
-          sweeping <= '1';
           sweep_place <= (others => '0');
-        elsif sweep_place = line_count - 1 then
-          sweeping <= '0';
         end if;
+        sweeping <= sweeps;
         if misses = '1' and last_word = '0' then
           reserved <= reserved + 1;
         elsif misses = '0' and last_word = '1' then

@@ -15,7 +15,6 @@ entity engine_triangles is
     reset : in std_logic;
     -- The queries.
     running : in std_logic;  -- there is one, so that there are no packets
-    oldest : in std_logic_vector(lane_bits - 1 downto 0);  -- the one that is answered
     front : in std_logic_vector(lane_bits - 1 downto 0);  -- that whose pairs are at the unit
     leaves_only : in std_logic;  -- of it
     -- Triangles of a pair of leaves.
@@ -38,6 +37,7 @@ entity engine_triangles is
     -- Pairs that are decided, in order.
     decided_valid : out std_logic;
     decided_ready : in std_logic;
+    decided_lane : out std_logic_vector(lane_bits - 1 downto 0);
     verdict : out std_logic_vector(1 downto 0);
     decided_numbers : out std_logic_vector(55 downto 0);  -- of the triangles; flags and tag of a pair of a packet
     decided_last : out std_logic;
@@ -67,9 +67,7 @@ architecture rtl of engine_triangles is
   constant tag_last : natural := 16;  -- of a pair of a packet: it is the last one
   signal tested_flags : std_logic_vector(39 downto 0);
   signal tested_taken : std_logic;
-  signal decided_lane : std_logic_vector(lane_bits - 1 downto 0);
-  signal answerable : std_logic;  -- no older query has to be answered first
-  signal decided_taken : std_logic;
+  signal of_queries : std_logic := '0';  -- running, a clock later: between pairs of queries and of packets there are many clocks
   signal bypass_free : std_logic;
   signal bypassed_valid : std_logic := '0';
   signal bypassed_numbers : std_logic_vector(55 downto 0) := (others => '0');
@@ -81,9 +79,9 @@ begin
   -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the 16 bits of their tag the
   -- unit's tag says which is the last of its packet.
   -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign.
-  unit_v <= triangle_a(triangle_corners) when running = '1' else job_words(job_pair_v);
-  unit_w <= triangle_b(triangle_corners) when running = '1' else job_words(job_pair_w);
-  unit_tag <= triangles_lane & numbers when running = '1' else
+  unit_v <= triangle_a(triangle_corners) when of_queries = '1' else job_words(job_pair_v);
+  unit_w <= triangle_b(triangle_corners) when of_queries = '1' else job_words(job_pair_w);
+  unit_tag <= triangles_lane & numbers when of_queries = '1' else
     "00000000000000000000000000000000000000000" & packet_last & job_words(job_pair_tag);
   packet_taken <= packet_valid and unit_ready;
 
@@ -110,6 +108,7 @@ begin
   bypass : process (clk)
   begin
     if rising_edge(clk) then
+      of_queries <= running;
       if bypass_free = '1' then
         bypassed_numbers <= numbers;
       end if;
@@ -117,7 +116,7 @@ begin
         bypassed_valid <= '0';
       elsif bypass_free = '1' then
         bypassed_valid <= passes_them;
-      elsif decided_taken = '1' then
+      elsif decided_ready = '1' then
         bypassed_valid <= '0';
       end if;
     end if;
@@ -173,15 +172,13 @@ begin
     );
   tested_numbers <= tested_tag(55 downto 0);
   decided_lane <= front when leaves_only = '1' else tested_tag(lane_bits + 55 downto 56);
-  answerable <= '1' when decided_lane = oldest or running = '0' else '0';
-  decided_taken <= decided_ready and answerable;
-  tested_taken <= decided_taken and not leaves_only;
-  decided_valid <= bypassed_valid and answerable when leaves_only = '1' else tested_valid and answerable;
+  tested_taken <= decided_ready and not leaves_only;
+  decided_valid <= bypassed_valid when leaves_only = '1' else tested_valid;
   verdict <= "10" when leaves_only = '1' else tested_verdict;
   tested_flags <= "000000000000000000" & tested_overlapping & tested_separated;
-  decided_outside <= tested_outside and not running;
+  decided_outside <= tested_outside and not of_queries;
   decided_numbers <= bypassed_numbers when leaves_only = '1' else
-    tested_numbers when running = '1' else
+    tested_numbers when of_queries = '1' else
     tested_flags & tested_numbers(15 downto 0);
-  decided_last <= tested_numbers(tag_last) and not running;
+  decided_last <= tested_numbers(tag_last) and not of_queries;
 end architecture rtl;

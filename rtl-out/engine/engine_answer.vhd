@@ -27,6 +27,8 @@ entity engine_answer is
     -- Pairs with their verdicts.
     decided_valid : in std_logic;
     decided_ready : out std_logic;
+    decided_lane : in std_logic_vector(lane_bits - 1 downto 0);  -- of its query: it waits until that is the oldest
+    running : in std_logic;  -- there is a query; without one pairs are of a packet, and do not wait
     verdict : in std_logic_vector(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
     numbers : in std_logic_vector(55 downto 0);  -- of A's triangle in the low half, of B's in the high one
     last : in std_logic;  -- the pair ends the answer
@@ -76,16 +78,22 @@ architecture rtl of engine_answer is
   constant certain : std_logic_vector(1 downto 0) := "01";
   -- Two pairs are held, so that readiness depends on registers alone.
   signal head_valid : std_logic := '0';
+  signal head_lane : std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
+  signal head_due : std_logic := '0';  -- a clock ago no older query had to be answered first
   signal head_verdict : std_logic_vector(1 downto 0) := separate;
   signal head_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal head_last : std_logic := '0';
   signal next_valid : std_logic := '0';
+  signal next_lane : std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
+  signal coming_lane : std_logic_vector(lane_bits - 1 downto 0);  -- of the pair that is held first in the next clock
   signal next_verdict : std_logic_vector(1 downto 0) := separate;
   signal next_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal next_last : std_logic := '0';
   signal head_outside : std_logic := '0';
   signal next_outside : std_logic := '0';
   signal arrives : std_logic;
+  signal due : std_logic;
+  signal moves : std_logic;  -- another pair is held first
   signal offered : std_logic := '0';
   signal offered_word : std_logic_vector(63 downto 0) := (others => '0');
   signal offered_last : std_logic := '0';
@@ -101,10 +109,13 @@ architecture rtl of engine_answer is
   signal one_contact : std_logic := '0';
   signal place : unsigned(2 downto 0) := "000";  -- of the next word of the report
   signal sent : std_logic := '0';
+  signal first_half : std_logic_vector(63 downto 0);  -- of the report, its word
+  signal second_half : std_logic_vector(63 downto 0);
   signal report_word : std_logic_vector(63 downto 0);
   signal ends : std_logic;  -- it is the last one
   signal incomplete : std_logic;
 
+  signal expanded_here : std_logic_vector(lanes - 1 downto 0) := (others => '0');  -- a clock later: a report comes later still
   type lane_counts is array (0 to lanes - 1) of unsigned(31 downto 0);
   signal clocks : lane_counts := (others => (others => '0'));
   signal expansions : lane_counts := (others => (others => '0'));
@@ -137,8 +148,11 @@ begin
   decided_ready <= not next_valid;
   arrives <= decided_valid and not next_valid;
   free <= m_axis_tready or not offered;
-  speaks <= head_valid and not drops and not contact_now when head_verdict /= separate or all_speak = '1' else '0';
-  taken <= head_valid and (free or not speaks);
+  due <= head_valid and head_due;
+  speaks <= due and not drops and not contact_now when head_verdict /= separate or all_speak = '1' else '0';
+  taken <= due and (free or not speaks);
+  moves <= taken or not head_valid;
+  coming_lane <= head_lane when moves = '0' else next_lane when next_valid = '1' else decided_lane;
   counts <= taken and not drops and not contact_now;
   meets <= counts and one_contact when head_verdict = certain else '0';
   contact <= contact_now;
@@ -146,7 +160,12 @@ begin
   hold : process (clk)
   begin
     if rising_edge(clk) then
-      if taken = '1' or head_valid = '0' then
+      head_due <= not running;
+      if coming_lane = oldest then
+        head_due <= '1';
+      end if;
+      head_lane <= coming_lane;
+      if moves = '1' then
         head_verdict <= verdict;
         head_numbers <= numbers;
         head_last <= last;
@@ -159,6 +178,7 @@ begin
         end if;
       end if;
       if next_valid = '0' then
+        next_lane <= decided_lane;
         next_verdict <= verdict;
         next_numbers <= numbers;
         next_last <= last;
@@ -172,7 +192,7 @@ begin
       if restart = '1' then
         head_valid <= '0';
         next_valid <= '0';
-      elsif taken = '1' or head_valid = '0' then
+      elsif moves = '1' then
         head_valid <= next_valid or arrives;
         next_valid <= '0';
       else
@@ -185,15 +205,17 @@ begin
   incomplete <= '0' when reason = reason_complete or (reason = reason_contact and short = '0') else '1';
   -- Each expansion asks for two blocks and each pair for two triangles: twice the count, whose highest bit is lost as every count
   -- of 32 bits begins again.
-  report_word <=
-    std_logic_vector(clocks_now) & number & incomplete & reason & "11" when place = 0 else
-    std_logic_vector(tests_now) & std_logic_vector(expansions_now) when place = 1 else
-    std_logic_vector(pairs_now) & std_logic_vector(survivors_now) when place = 2 else
-    std_logic_vector(counter(incorrect_at)) & std_logic_vector(counter(intersect_at)) when place = 3 else
-    std_logic_vector(blocks_read) & std_logic_vector(expansions_now(30 downto 0)) & '0' when place = 4 else
-    std_logic_vector(triangles_read) & std_logic_vector(counter(triangles_asked_at)(30 downto 0)) & '0' when place = 5 else
-    std_logic_vector(counter(starved_at)) & std_logic_vector(counter(words_at)) when place = 6 else
+  first_half <=
+    std_logic_vector(clocks_now) & number & incomplete & reason & "11" when place(1 downto 0) = 0 else
+    std_logic_vector(tests_now) & std_logic_vector(expansions_now) when place(1 downto 0) = 1 else
+    std_logic_vector(pairs_now) & std_logic_vector(survivors_now) when place(1 downto 0) = 2 else
+    std_logic_vector(counter(incorrect_at)) & std_logic_vector(counter(intersect_at));
+  second_half <=
+    std_logic_vector(blocks_read) & std_logic_vector(expansions_now(30 downto 0)) & '0' when place(1 downto 0) = 0 else
+    std_logic_vector(triangles_read) & std_logic_vector(counter(triangles_asked_at)(30 downto 0)) & '0' when place(1 downto 0) = 1 else
+    std_logic_vector(counter(starved_at)) & std_logic_vector(counter(words_at)) when place(1 downto 0) = 2 else
     x"0000" & std_logic_vector(greatest_stack) & std_logic_vector(counter(stalled_at));
+  report_word <= first_half when place(2) = '0' else second_half;
   ends <= '1' when place = 7 or short = '1' else '0';
   report_done <= sent;
 
@@ -260,7 +282,11 @@ begin
         if counting(lane) = '1' then
           clocks(lane) <= clocks(lane) + 1;
         end if;
-        if expanded = '1' and unsigned(expanded_lane) = lane then
+        expanded_here(lane) <= '0';
+        if unsigned(expanded_lane) = lane then
+          expanded_here(lane) <= expanded and not clear(lane);
+        end if;
+        if expanded_here(lane) = '1' then
           expansions(lane) <= expansions(lane) + 1;
         end if;
         if unsigned(tested_lane) = lane then

@@ -47,6 +47,7 @@ entity engine_command is
     pair_taken : in std_logic;
     pair_last : out std_logic;  -- the last of its packet
     stop : out std_logic;
+    forgets : out std_logic;  -- a soft reset; control and all others forget a clock later
     reset_word : out std_logic;  -- one clock long: a soft reset by the stream; here it is done
     stop_number : out std_logic_vector(23 downto 0)  -- of both
   );
@@ -390,6 +391,7 @@ begin
     end if;
   end process receive;
   job_valid <= pending;
+  forgets <= soft_reset or reset_taken;
   reset_word <= reset_now;
   job_words <= words;
   job_query <= query_pending;

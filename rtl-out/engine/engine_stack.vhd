@@ -42,6 +42,7 @@ architecture rtl of engine_stack is
   signal last_was_push : std_logic := '0';
   signal grows : std_logic;
   signal shrinks : std_logic;
+  signal changes : std_logic;  -- either
   signal filled_now : std_logic := '0';
   signal several : std_logic := '0';  -- two or more
   signal many_now : std_logic := '0';
@@ -53,7 +54,9 @@ begin
   greatest <= resize(most, 16);
   grows <= push and not pop;
   shrinks <= pop and not push;
-  place <= push_place when grows = '1' else pop_place;
+  changes <= push xor pop;
+  -- With a push and a pop at once the memory is not asked.
+  place <= push_place when push = '1' else pop_place;
   third <= pushed_over when last_was_push = '1' else remembered;
 
   remember : process (clk)
@@ -78,10 +81,13 @@ begin
         top <= second;
       end if;
       if grows = '1' then
-        second <= top;
         pushed_over <= second;
-      elsif shrinks = '1' then
+      end if;
+      if changes = '1' then
         second <= third;
+        if push = '1' then
+          second <= top;
+        end if;
       end if;
       if clear = '1' then
         used <= (others => '0');
@@ -93,28 +99,29 @@ begin
         most <= (others => '0');
         last_was_push <= '0';
       else
-        if grows = '1' then
-          used <= used + 1;
-          filled_now <= '1';
-          several <= filled_now;
-          many_now <= several;
-          push_place <= push_place + 1;
-          pop_place <= pop_place + 1;
-          last_was_push <= '1';
-        elsif shrinks = '1' then
-          used <= used - 1;
-          if used = 1 then
-            filled_now <= '0';
+        if changes = '1' then
+          last_was_push <= push;
+          if push = '1' then
+            used <= used + 1;
+            filled_now <= '1';
+            several <= filled_now;
+            many_now <= several;
+            push_place <= push_place + 1;
+            pop_place <= pop_place + 1;
+          else
+            used <= used - 1;
+            if used = 1 then
+              filled_now <= '0';
+            end if;
+            if used = 2 then
+              several <= '0';
+            end if;
+            if used = 3 then
+              many_now <= '0';
+            end if;
+            push_place <= push_place - 1;
+            pop_place <= pop_place - 1;
           end if;
-          if used = 2 then
-            several <= '0';
-          end if;
-          if used = 3 then
-            many_now <= '0';
-          end if;
-          push_place <= push_place - 1;
-          pop_place <= pop_place - 1;
-          last_was_push <= '0';
         end if;
         if used > most then
           most <= used;

@@ -50,6 +50,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal busy : std_logic;
   signal running : std_logic;
   signal oldest : std_logic_vector(lane_bits - 1 downto 0);
+  signal oldest_flags : std_logic_vector(lanes - 1 downto 0);
   signal retire : std_logic;
   signal counting : std_logic_vector(lanes - 1 downto 0);
   signal posed : std_logic_vector(lanes - 1 downto 0);
@@ -263,6 +264,7 @@ begin
       busy => busy,
       running => running,
       oldest => oldest,
+      oldest_flags => oldest_flags,
       counting => counting,
       posed => posed,
       started => started,
@@ -531,7 +533,7 @@ begin
     );
   begin_again : for lane in 0 to lanes - 1 generate
     clear(lane) <= reset or job_taken or (abort and not counting(lane)) when unsigned(job_lane) = lane else
-      reset or abort when unsigned(oldest) /= lane else reset;
+      reset or abort when oldest_flags(lane) = '0' else reset;
   end generate begin_again;
   renew <= reset or retire or not running;
   paired <= pair_valid and pair_ready;

@@ -44,6 +44,7 @@ entity {{ prefix }}engine_control is
     busy : out std_logic;  -- there is one, or a report, or a job is being taken
     running : out std_logic;  -- there is one, or the report of another job
     oldest : out std_logic_vector(lane_bits - 1 downto 0);
+    oldest_flags : out std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
     counting : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a query that is not reported yet
     posed : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a pose for the triangle unit
     started : out std_logic_vector(lanes - 1 downto 0);
@@ -150,6 +151,7 @@ begin
   running <= running_now;
   busy <= busy_now;
   oldest <= std_logic_vector(oldest_lane);
+  oldest_flags <= is_oldest;
   posed <= has_pose;
   started <= started_now;
   ending <= ending_now;

@@ -122,7 +122,7 @@ begin
   request_a <= head(55 downto 28);
   request_b <= head(27 downto 0);
   head_leaves <= head_valid and (front_ending or request_ready);
-  fetches <= front_waits and not front_ending and (head_leaves or not head_valid);
+  fetches <= front_waits and not front_ending and (request_ready or not head_valid);
   front <= std_logic_vector(front_lane);
 
   last_left <= '0' when some_of_last = '0' or (triangles_taken = '1' and of_last = 1) else '1';

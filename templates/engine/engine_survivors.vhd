@@ -15,7 +15,7 @@ entity {{ prefix }}engine_survivors is
   port (
     clk : in std_logic;
     reset : in std_logic;
-    ended : in std_logic_vector(lanes - 1 downto 0);  -- pairs of leaves of it are dropped
+    ending : in std_logic_vector(lanes - 1 downto 0);  -- pairs of leaves of it are dropped from the next clock on
     -- An answer of the volume unit.
     met : in std_logic;
     met_lane : in unsigned(lane_bits - 1 downto 0);
@@ -81,7 +81,7 @@ architecture rtl of {{ prefix }}engine_survivors is
   signal leaves_left : std_logic_vector(3 downto 0) := "0000";
   signal leaf_pick : std_logic_vector(3 downto 0);
   signal some_leaves : std_logic;
-  signal leaves_ended : std_logic;
+  signal leaves_ended : std_logic := '0';  -- the query ends
   signal last_leaves : std_logic;
   signal last_sent : std_logic;  -- the last pair of a record, or the query ends
 
@@ -132,21 +132,31 @@ begin
   next_leaf_lane <= leaf_lanes(to_integer(leaf_read)) when leaves_wait = '1' else met_lane;
 
   queue : process (clk)
-    variable nodes_come : boolean;
-    variable nodes_go : boolean;
-    variable leaves_come : boolean;
-    variable leaves_go : boolean;
+    variable node_left : unsigned(flight_bits downto 0);  -- if the first may go
+    variable leaf_left : unsigned(flight_bits downto 0);
+    variable node_more : unsigned(flight_bits downto 0);  -- if none goes
+    variable leaf_more : unsigned(flight_bits downto 0);
   begin
     if rising_edge(clk) then
-      nodes_come := brings_nodes = '1' and (nodes_wait = '1' or nodes_free = '0');
-      nodes_go := nodes_wait = '1' and nodes_free = '1';
-      leaves_come := brings_leaves = '1' and (leaves_wait = '1' or leaves_free = '0');
-      leaves_go := leaves_wait = '1' and leaves_free = '1';
-      if nodes_come then
+      -- Whether the first may go is known late in a clock, so both counts are there before. What does not wait is written, too, to
+      -- a place that counts as free.
+      node_left := node_count;
+      if nodes_wait = '1' and brings_nodes = '0' then
+        node_left := node_count - 1;
+      end if;
+      node_more := node_count;
+      if brings_nodes = '1' then
+        node_more := node_count + 1;
         node_memory(to_integer(node_written)) <= met_node_record;
         node_lanes(to_integer(node_written)) <= met_lane;
       end if;
-      if leaves_come then
+      leaf_left := leaf_count;
+      if leaves_wait = '1' and brings_leaves = '0' then
+        leaf_left := leaf_count - 1;
+      end if;
+      leaf_more := leaf_count;
+      if brings_leaves = '1' then
+        leaf_more := leaf_count + 1;
         leaf_memory(to_integer(leaf_written)) <= met_leaf_record;
         leaf_lanes(to_integer(leaf_written)) <= met_lane;
       end if;
@@ -158,27 +168,25 @@ begin
         leaf_read <= (others => '0');
         leaf_count <= (others => '0');
       else
-        if nodes_come then
+        if brings_nodes = '1' and (nodes_wait = '1' or nodes_free = '0') then
           node_written <= node_written + 1;
         end if;
-        if nodes_go then
+        if nodes_wait = '1' and nodes_free = '1' then
           node_read <= node_read + 1;
         end if;
-        if nodes_come and not nodes_go then
-          node_count <= node_count + 1;
-        elsif nodes_go and not nodes_come then
-          node_count <= node_count - 1;
+        node_count <= node_more;
+        if nodes_free = '1' then
+          node_count <= node_left;
         end if;
-        if leaves_come then
+        if brings_leaves = '1' and (leaves_wait = '1' or leaves_free = '0') then
           leaf_written <= leaf_written + 1;
         end if;
-        if leaves_go then
+        if leaves_wait = '1' and leaves_free = '1' then
           leaf_read <= leaf_read + 1;
         end if;
-        if leaves_come and not leaves_go then
-          leaf_count <= leaf_count + 1;
-        elsif leaves_go and not leaves_come then
-          leaf_count <= leaf_count - 1;
+        leaf_count <= leaf_more;
+        if leaves_free = '1' then
+          leaf_count <= leaf_left;
         end if;
       end if;
     end if;
@@ -267,7 +275,6 @@ begin
     leaves_left;
   some_leaves <= '0' when leaves_left = "0000" else '1';
   last_leaves <= '1' when leaves_left = leaf_pick else '0';
-  leaves_ended <= ended(to_integer(leaf_lane));
   pair_due <= some_leaves and not leaves_ended;
   last_sent <= some_leaves and (leaves_ended or (pair_ready and last_leaves));
   pair_valid <= pair_due;
@@ -280,9 +287,11 @@ begin
   part : process (clk)
   begin
     if rising_edge(clk) then
+      leaves_ended <= ending(to_integer(leaf_lane));
       if leaves_free = '1' then
         leaf_numbers <= next_leaves(111 downto 0);
         leaf_lane <= next_leaf_lane;
+        leaves_ended <= ending(to_integer(next_leaf_lane));
         leaves_left <= "0000";
         if (leaves_wait or brings_leaves) = '1' then
           leaves_left <= next_leaves(115 downto 112);

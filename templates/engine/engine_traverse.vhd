@@ -167,7 +167,7 @@ begin
     port map (
       clk => clk,
       reset => reset,
-      ended => ended,
+      ending => ending,
       met => met,
       met_lane => met_lane,
       met_entry => met_entry,
