@@ -148,8 +148,16 @@ begin
   retire <= retires;
   retires <= reporting and report_done;
   report_due <= reporting;
-  short <= shorts(to_integer(oldest_lane));
-  reason <= reasons(to_integer(oldest_lane));
+  short <= '0' when (shorts and is_oldest) = no_lane else '1';
+
+  tell : for digit in 0 to 4 generate
+    signal has_bit : flags;
+  begin
+    lanes_with_bit : for lane in 0 to lanes - 1 generate
+      has_bit(lane) <= reasons(lane)(digit) and is_oldest(lane);
+    end generate lanes_with_bit;
+    reason(digit) <= '0' when has_bit = no_lane else '1';
+  end generate tell;
   aborts <= fails;
   abort <= aborting;
   flush <= flush_now;
@@ -157,7 +165,7 @@ begin
   -- ===== Jobs =====
   -- A query is taken beside others, another job alone.
   job_due <= job_valid and all_idle when occupied = no_lane else
-    job_valid and job_query and asked(to_integer(oldest_lane)) and not occupied(to_integer(next_lane));
+    job_valid and job_query and not occupied(to_integer(next_lane)) when (asked and is_oldest) /= no_lane else '0';
   admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
   here <= occupied and admitted and is_oldest;

@@ -173,6 +173,8 @@ begin
   count : process (clk)
     variable comes : boolean;
     variable goes : boolean;
+    variable kept : unsigned(place_bits downto 0);
+    variable left : unsigned(place_bits downto 0);
     variable change : integer range -2 to 1;
     variable left_of_last : unsigned(open_bits - 1 downto 0);
     variable left_of_front : unsigned(open_bits - 1 downto 0);
@@ -187,14 +189,23 @@ begin
         if goes then
           fetched(lane) <= fetched(lane) + 1;
         end if;
+        -- Whether one goes is known late in a clock: what it chooses between is there before.
+        kept := waiting(lane);
+        left := waiting(lane) - 1;
+        if comes then
+          kept := waiting(lane) + 1;
+          left := waiting(lane);
+        end if;
+        waiting(lane) <= kept;
+        if goes then
+          waiting(lane) <= left;
+        end if;
         if comes and not goes then
-          waiting(lane) <= waiting(lane) + 1;
           some_wait(lane) <= '1';
           if waiting(lane) = places - 1 then
             full(lane) <= '1';
           end if;
         elsif goes and not comes then
-          waiting(lane) <= waiting(lane) - 1;
           full(lane) <= '0';
           if waiting(lane) = 1 then
             some_wait(lane) <= '0';

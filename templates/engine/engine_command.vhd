@@ -108,6 +108,7 @@ architecture rtl of {{ prefix }}engine_command is
 
   type expectation_state is (header_state, query_state, pose_state, pair_state, {% if e.block_ram %}address_state, load_state, {% endif %}skip_state);
   signal expectation : expectation_state := header_state;
+  signal at_header : std_logic := '1';  -- it is that
   -- Behind its header a pair begins here, to end where a pose does.
   constant pair_place : unsigned(5 downto 0) := to_unsigned(row_word - pair_words, 6);
   signal place : unsigned(5 downto 0) := "000000";  -- of the word in its packet, if that is a query; records of pairs and poses end where a query's pose does
@@ -182,10 +183,10 @@ begin
   -- A packet begins when its job has a place to go, and pairs when everything before them is done. The header of a query goes
   -- nowhere: its words wait for the register.
   waits <= reset_now or ((pending or closing) and (head_last or not head_kind(is_query))) or (busy and {% if e.block_ram %}(head_kind(is_load) or head_kind(is_pairs)){% else %}head_kind(is_pairs){% endif %});
-  taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when expectation = header_state else
+  taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when at_header = '1' else
     head_valid and not occupied and not holds;
   holds <= pending and not job_taken;
-  reset_taken <= taken and head_kind(is_reset) when expectation = header_state else '0';
+  reset_taken <= at_header and head_valid and head_kind(is_reset);
   clears <= reset or soft_reset or reset_taken;
   shifts <= (head_valid and gathers and not holds) or moving;
   -- A word that is none, in front of the first one or between two, is not looked at.
@@ -209,8 +210,10 @@ begin
   receive : process (clk)
     variable found : std_logic_vector(4 downto 0);
     variable answer_short : std_logic;
+    variable next_expectation : expectation_state;
   begin
     if rising_edge(clk) then
+      next_expectation := expectation;
       if shifts = '1' then
         words <= head & words(job_bits - 1 downto 64);
       end if;
@@ -295,19 +298,19 @@ begin
           short <= head_kind(is_short);
           gathers <= head_kind(is_query) or head_kind(is_pose) or head_kind(is_pairs);
           if head_kind(is_query) = '1' then
-            expectation <= query_state;
+            next_expectation := query_state;
             if head_last = '1' then
               found := too_short;
             end if;
           elsif head_kind(is_pose) = '1' then
-            expectation <= pose_state;
+            next_expectation := pose_state;
             place <= to_unsigned(pose_word, 6);
             at_record <= '1';
             if head_last = '1' then
               found := too_short;
             end if;
           elsif head_kind(is_pairs) = '1' then
-            expectation <= pair_state;
+            next_expectation := pair_state;
             place <= pair_place;
             at_record <= '1';
             if head_last = '1' then
@@ -315,7 +318,7 @@ begin
             end if;
 {%- if e.block_ram %}
           elsif head_kind(is_load) = '1' then
-            expectation <= address_state;
+            next_expectation := address_state;
             if head_last = '1' then
               found := too_short;
             end if;
@@ -328,7 +331,7 @@ begin
             found := unknown;
           end if;
           if found /= fine then
-            expectation <= skip_state;
+            next_expectation := skip_state;
           end if;
         elsif expectation = query_state then
           if fault = fine then
@@ -358,7 +361,7 @@ begin
           if head_whole = '0' or (head_last = '1' and at_record_end = '0') then
             found := too_short;
             gathers <= '0';
-            expectation <= skip_state;
+            next_expectation := skip_state;
           elsif at_record_end = '1' then
             gathers <= '0';
             occupied <= '1';
@@ -369,7 +372,7 @@ begin
           end if;
 {%- if e.block_ram %}
         elsif expectation = address_state then
-          expectation <= load_state;
+          next_expectation := load_state;
           load_line <= '0' & unsigned(head({{ e.memory.load_line }}));
           load_place <= "000";
           load_triangles <= head(31);
@@ -404,7 +407,7 @@ begin
         end if;
         fault <= found;
         if head_last = '1' then
-          expectation <= header_state;
+          next_expectation := header_state;
           fault <= fine;
           gathers <= '0';
           closing <= '1';
@@ -439,9 +442,9 @@ begin
       end if;
       -- What is forgotten by reset and by both kinds of soft reset. That of the port drops the rest of a packet, too.
       if clears = '1' then
-        expectation <= header_state;
+        next_expectation := header_state;
         if (soft_reset and stays_within and not reset) = '1' then
-          expectation <= skip_state;
+          next_expectation := skip_state;
         end if;
         pending <= '0';
         closing <= '0';
@@ -456,6 +459,11 @@ begin
         block_write <= '0';
         triangle_write <= '0';
 {%- endif %}
+      end if;
+      expectation <= next_expectation;
+      at_header <= '0';
+      if next_expectation = header_state then
+        at_header <= '1';
       end if;
     end if;
   end process receive;

@@ -247,7 +247,7 @@ impl Sheet<'_> {
         let (loads, line) =
             (u32::from(values.block_ram), values.memory.load_line.high - values.memory.load_line.low + 1);
         let signs = values.unit.signs.len() as u32;
-        let flip_flops = words + 240 + signs.min(1) + loads * (53 + 2 * line);
+        let flip_flops = words + 241 + signs.min(1) + loads * (53 + 2 * line);
         let luts = self.of([287, 313, 247]) + signs * self.of([2, 16, 2]) + loads * self.of([52, 105, 51]);
         self.entity("engine_command", flip_flops, &[], &[(1, 6), (loads, line + 1), (loads, 8)], luts)
     }
