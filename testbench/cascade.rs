@@ -169,7 +169,7 @@ fn latencies_are_as_declared() {
         // From every phase of the slot of the second stage.
         let open: Vec<usize> = pairs.open.iter().take(200).map(&mut clocks).collect();
         let most = unit.design.second.as_ref().unwrap().latency;
-        // Pairs accepted in every second clock may meet every second phase alone.
+        // Where the slots of both stages have a common factor, pairs do not meet every phase of the second.
         let met = *open.iter().max().unwrap();
         assert!((most + 1 - p.interval()..=most).contains(&met), "{p:?}: {met} of {most}");
         assert!(open.iter().all(|clocks| clocks + exact_clocks as usize > most), "{p:?}: {open:?}");

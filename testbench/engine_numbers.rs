@@ -272,24 +272,6 @@ fn a_wrong_entity_is_noticed() {
     bench.notices(rare, &[&text], &[&options[..], &["-gpasses=6"]].concat());
 }
 
-/// A unit of several clocks per pair takes a pose later: the pairs of its packet wait for it.
-#[test]
-#[ignore = "compiles an engine: scripts/test full"]
-fn pairs_wait_for_their_pose() {
-    let Some(ghdl) = ghdl_of_long_runs() else { return };
-    let (bench, crossing) = Crossing::bench(ghdl, &axi(), &small());
-    let mut vectors = crossing.vectors(&bench.design);
-    let as_it_lies = ByNumber { pose: Pose { bypass: true, ..Pose::identity(&small()) }, ..crossing.some(0, 200, 40) };
-    for clocks in 0..11 {
-        vectors.pause(clocks);
-        vectors.numbers(&as_it_lies);
-        vectors.numbers(&crossing.some(clocks, 200, 40));
-    }
-    let options = ["-gpasses=1", "-glatency_least=1", "-glatency_most=1"];
-    let change = ("engine_number_command.vhd", "begins <= checked and posed", "begins <= checked");
-    bench.notices([change], &[vectors.text()], &options);
-}
-
 /// With a unit that takes a pair per clock a packet of N pairs takes N clocks and some: out of block RAM, and of caches that hold the
 /// triangles.
 #[test]

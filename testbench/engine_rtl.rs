@@ -443,8 +443,8 @@ fn caches_are_emptied() {
     let changes = [
         // No cache is told; a cache does not listen; other objects are not noticed.
         ("engine_control.vhd", "flush_now <= '1';", "flush_now <= '0';"),
-        ("engine_block_cache.vhd", "if flush = '1' then", "if flush = '0' and reset = '1' then"),
-        ("engine_triangle_cache.vhd", "if flush = '1' then", "if flush = '0' and reset = '1' then"),
+        ("engine_block_cache.vhd", "sweeps <= '1' when flush = '1' or (", "sweeps <= '1' when ("),
+        ("engine_triangle_cache.vhd", "sweeps <= '1' when flush = '1' or (", "sweeps <= '1' when ("),
         // A request does not see that one before it asks for the same line.
         ("engine_block_cache.vhd", "if looked = '1' and looked_at(", "if looked = '0' and looked_at("),
         ("engine_block_cache.vhd", "if judged = '1' and judged_at(", "if judged = '0' and judged_at("),

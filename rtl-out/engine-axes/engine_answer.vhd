@@ -23,6 +23,7 @@ entity engine_answer is
   port (
     clk : in std_logic;
     reset : in std_logic;
+    forgets : in std_logic;  -- in the next clock it is set: no other word is offered then
     restart : in std_logic;  -- pairs that are held are forgotten, and a report begins again; a word that is offered stays
     -- Pairs with their verdicts.
     decided_valid : in std_logic;
@@ -39,7 +40,7 @@ entity engine_answer is
     pair_answered : out std_logic;  -- one pair more has become a word, or was dropped, a clock ago
     contact : out std_logic;  -- a pair of the query intersects, and the query is to end with it; until its report
     -- The report.
-    report_due : in std_logic;  -- until the report is done; then no pair comes
+    report_due : in std_logic;  -- until the report is done; pairs that come are of the next query, and wait
     short : in std_logic;
     report_done : out std_logic;  -- its last word is on its way, a clock ago
     reason : in std_logic_vector(4 downto 0);
@@ -103,7 +104,7 @@ architecture rtl of engine_answer is
   signal counts : std_logic;
   signal meets : std_logic;  -- it intersects, and the query ends with it
   signal contact_now : std_logic := '0';
-  -- What holds for the query, a clock later: its first pair is here later still.
+  -- What holds for the query, a clock later: its first pair is not due before.
   signal drops : std_logic := '0';
   signal all_speak : std_logic := '0';
   signal one_contact : std_logic := '0';
@@ -237,7 +238,7 @@ begin
         offered <= '0';
         place <= "000";
         sent <= '0';
-      elsif restart = '1' then
+      elsif (forgets or restart) = '1' then
         place <= "000";
         sent <= '0';
         offered <= offered and not free;

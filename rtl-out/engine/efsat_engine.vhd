@@ -489,6 +489,7 @@ begin
     port map (
       clk => aclk,
       reset => reset,
+      forgets => forgets,
       restart => restart,
       decided_valid => decided_valid,
       decided_ready => decided_ready,

@@ -51,8 +51,8 @@ entity engine_control is
     start : out std_logic;  -- one clock long
     start_lane : out std_logic_vector(lane_bits - 1 downto 0);
     most_expansions : out std_logic_vector(31 downto 0);  -- of the query that starts
-    aborts : out std_logic;  -- one clock long: all work is forgotten in the next clock, after a memory error
-    abort : out std_logic;  -- that clock
+    aborts : out std_logic;  -- the next clock is that of abort
+    abort : out std_logic;  -- one clock long: all work is forgotten after a memory error
     retire : out std_logic;  -- one clock long: the oldest query is done
     -- How it goes.
     idle : in std_logic_vector(lanes - 1 downto 0);  -- nothing was to be done any more, a clock ago

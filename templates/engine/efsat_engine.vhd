@@ -485,6 +485,7 @@ begin
     port map (
       clk => aclk,
       reset => reset,
+      forgets => forgets,
       restart => restart,
       decided_valid => decided_valid,
       decided_ready => decided_ready,

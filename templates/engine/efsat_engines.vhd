@@ -19,9 +19,6 @@ architecture rtl of {{ prefix }}efsat_engines is
   signal reset : std_logic;
   signal forget : std_logic;
   signal forget_number : std_logic_vector(23 downto 0);
-  -- The same a clock later, in which the engines forget.
-  signal forget_now : std_logic := '0';
-  signal number_now : std_logic_vector(23 downto 0) := (others => '0');
   signal in_valid : flags;
   signal in_ready : flags;
   signal in_data : std_logic_vector(63 downto 0);
@@ -123,20 +120,12 @@ begin
     );
 {%- endfor %}
 
-  forgetting : process (aclk)
-  begin
-    if rising_edge(aclk) then
-      forget_now <= forget and not reset;
-      number_now <= forget_number;
-    end if;
-  end process forgetting;
-
   gather : entity work.{{ prefix }}engines_gather
     port map (
       clk => aclk,
       reset => reset,
-      forget => forget_now,
-      forget_number => number_now,
+      forget => forget,
+      forget_number => forget_number,
       in_valid => out_valid,
       in_ready => out_ready,
 {%- for i in e.engines.each %}

@@ -54,9 +54,9 @@ entity {{ prefix }}engine_control is
     start_lane : out std_logic_vector(lane_bits - 1 downto 0);
     most_expansions : out std_logic_vector(31 downto 0);  -- of the query that starts
 {%- if e.axi %}
-    aborts : out std_logic;  -- one clock long: all work is forgotten in the next clock, after a memory error
+    aborts : out std_logic;  -- the next clock is that of abort
 {%- endif %}
-    abort : out std_logic;  -- that clock
+    abort : out std_logic;  -- one clock long: all work is forgotten after a memory error
     retire : out std_logic;  -- one clock long: the oldest query is done
     -- How it goes.
     idle : in std_logic_vector(lanes - 1 downto 0);  -- nothing was to be done any more, a clock ago
@@ -409,8 +409,6 @@ begin
           end if;
         end loop;
         admitted_lane <= oldest_lane + 1;
-{%- endif %}
-{%- if e.axi %}
       elsif fails = '1' then
         for lane in 0 to lanes - 1 loop
           if is_oldest(lane) = '1' and sound(lane) = '1' then

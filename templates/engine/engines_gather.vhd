@@ -77,8 +77,7 @@ begin
   passes <= in_valid and not owes;
   takes <= in_valid and (owes or room);
   in_ready <= owes or room;
-  -- What forgets all packets has forgotten those that end now.
-  answered <= (others => '0') when forget = '1' else takes and in_last and not owes;
+  answered <= takes and in_last and not owes;
 {%- for i in e.engines.each %}
   arriving({{ i }}) <= in_data_{{ i }};
 {%- endfor %}

@@ -260,7 +260,7 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         ("head_due <= not running;", "head_due <= '0';"),
         ("decided_ready <= not next_valid;", "decided_ready <= '1';"),
         ("head_verdict /= separate or all_speak = '1' else", "head_verdict /= separate else"),
-        ("speaks <= head_valid and not drops and", "speaks <= head_valid and"),
+        ("speaks <= due and not drops and", "speaks <= due and"),
         ("counts <= taken and not drops and", "counts <= taken and"),
         // Pairs behind a contact, and a contact that the next query takes over.
         ("counts <= taken and not drops and not contact_now;", "counts <= taken and not drops;"),
@@ -269,7 +269,7 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         ("offered_last <= ends;", "offered_last <= '0';"),
         // A restart takes back what is offered, or lets a report go on.
         ("offered <= offered and not free;", "offered <= '0';"),
-        ("elsif restart = '1' then\n        place <= \"000\";", "elsif restart = '1' then"),
+        ("elsif (forgets or restart) = '1' then\n        place <= \"000\";", "elsif (forgets or restart) = '1' then"),
         ("survivors(lane) + unsigned(survived)", "survivors(lane) + unsigned(survived(0 downto 0))"),
         // Counts of another query, and what is lost where counters begin again.
         ("pairs_now <= pairs(to_integer(unsigned(oldest)));", "pairs_now <= pairs(0);"),

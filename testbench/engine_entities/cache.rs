@@ -89,7 +89,7 @@ fn caches_give_and_replace_lines() {
     let changes = [
         ("(filled or not order(", "('1' or not order("),
         ("if looked = '1' and looked_at(", "if looked = '0' and looked_at("),
-        ("if flush = '1' then", "if flush = '0' and reset = '1' then"),
+        ("sweeps <= '1' when flush = '1' or (", "sweeps <= '1' when ("),
         ("order_leaves <= serves or not order_valid;", "order_leaves <= serves;"),
     ];
     tried(&design, "engine_block_cache", &changes, |entity| cache(entity, 8));

@@ -491,24 +491,24 @@ fn control(entity: &mut Entity) -> Outcome {
 fn jobs_are_checked_and_run_and_reported() {
     let changes = [
         ("job_due <= job_valid and all_idle when", "job_due <= job_valid when"),
-        ("job_valid and job_query and asked(to_integer(oldest_lane))", "job_valid and job_query"),
+        ("when (asked and is_oldest) /= no_lane else '0';", "when asked = asked else '0';"),
         ("+ resize(counts(i), 33) > 67108864", "+ resize(counts(i), 33) >= 67108864"),
         ("if counts(0) = 0 or counts(1) = 0 then", "if counts(0) = 0 then"),
         ("if flush_now = '0' and flushing = '0' then", "if flushing = '0' then"),
         ("moved(4) <= not known or not", "moved(4) <= not"),
         // What has just begun is done.
-        ("idle(old) = '1' and started_pulse = '0' and", "idle(old) = '1' and"),
+        ("(here and idle) /= no_lane and started_pulse = '0' and", "(here and idle) /= no_lane and"),
         ("started_pulse = '0' and idle_is_old = '0' then", "started_pulse = '0' then"),
         ("if admitted_lane = oldest_lane then", "if admitted_lane = admitted_lane then"),
         // A stop is for whatever runs, for all of a number, or for nobody who waits; a contact for all.
         ("if numbers(lane) = stop_number then", "if true then"),
         ("first(lane) <= found(lane) when earlier = no_lane else '0';", "first(lane) <= found(lane);"),
         ("job_stopped := waiting_stopped or found_job;", "job_stopped := found_job;"),
-        ("elsif contact = '1' and oldest_lane = lane then", "elsif contact = '1' then"),
+        ("elsif contact = '1' and is_oldest(lane) = '1' then", "elsif contact = '1' then"),
         // What memory owes is not waited for, or without end; a query ends that does not read; the others go on.
         ("if memory_draining = '1' then", "if memory_draining = '1' and flushing = '1' then"),
         ("          if memory_silent = '1' then\n", "          if flushing = '1' then\n"),
-        ("and reads_before = '1' and (error_before", "and (error_before"),
+        ("fails <= reads_before and (error_before", "fails <= (error_before"),
         (
             "            now_started(lane) := '0';\n            now_reasons(lane) := fine;",
             "            now_reasons(lane) := fine;",

@@ -216,7 +216,12 @@ fn pairs_are_asked_for_in_order_and_counted() {
             "advance_free <= '1' when some_open = some_open else",
         ),
         // The front moves on too soon, not at all with its query, or past the youngest one.
-        ("and advance_free and not some_wait(to_integer(front_lane))", "and advance_free"),
+        ("and advance_free and not front_waits", "and advance_free"),
+        (
+            "            is_front(lane) <= is_front((lane + lanes - 1) mod lanes);\n",
+            "            is_front(lane) <= is_front(lane);\n",
+        ),
+        ("some_of_last <= front_left;", "some_of_last <= '0';"),
         ("if (advances or ends_front) = '1' then", "if advances = '1' then"),
         ("may_advance and not advances and not ends_front;", "may_advance and not ends_front;"),
         ("may_advance and not advances and not ends_front;", "may_advance and not advances;"),

@@ -170,6 +170,7 @@ begin
         claim.see(&[("control.accepted", pointer), ("control.accepted_ahead", pointer), ("control.decided", pointer)]);
         claim.see(&[("control.taken", pointer), ("control.taken_ahead", pointer)]);
         claim.see(&[("control.running", 1), ("control.phase_i", phase), ("control.last_phase", 1)]);
+        claim.see(&[("control.offered_in_time", 1)]);
         claim.see(&[("control.decide_phase", 1), ("control.full", 1), ("control.empty", 1), ("control.offered", 1)]);
         claim.see(&[("control.holds", ages as u32), ("path.stages", w * latency as u32), ("path.payload", w)]);
         claim.words = vec![("open_fitted0_x_words", places, width), ("result_queue_words", PLACES, 19)];
@@ -234,6 +235,7 @@ begin
             format!("!control_decide_phase || control_phase_i == {}", latency % slot),
             format!("control_decide_phase || control_phase_i != {} || control_holds == 0", latency % slot),
             "control_running || control_phase_i == 0".to_owned(),
+            "!control_offered_in_time || (control_last_phase && queue_valid)".to_owned(),
         ]);
     }
 
@@ -248,7 +250,13 @@ begin
             let _ = write!(remaining, " : {held} ? {} - control_phase_i", oldest - slot * age);
         }
         let _ = write!(remaining, " : {} - control_phase_i", oldest + slot);
-        let _ = write!(remaining, " + (control_phase_i == {} && !queue_valid ? {slot} : 0)", slot - 1);
+        // Looked at a clock before the last phase.
+        let late = format!(
+            "control_phase_i == {} && !queue_valid || control_phase_i == {} && !control_offered_in_time",
+            slot - 2,
+            slot - 1
+        );
+        let _ = write!(remaining, " + ({late} ? {slot} : 0)");
         let _ = writeln!(claim.body, "  wire [9:0] remaining = {remaining};");
         claim.shown([format!("waited + remaining <= {}", self.patience())]);
     }

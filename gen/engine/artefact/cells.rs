@@ -443,7 +443,7 @@ impl Sheet<'_> {
             let chains = [(2, engines.burst_bits), (1, engines.burst_bits + 1), (1, 4)];
             parts.push(self.entity("engines_memory", 63 + params.memory_width + 3 * count, &[memory], &chains, luts));
         }
-        self.entity(self.design.top(), 25, &[], &[], 1).holding(parts)
+        self.entity(self.design.top(), 0, &[], &[], 1).holding(parts)
     }
 
     fn by_number(&self) -> Entity {

@@ -269,7 +269,7 @@ impl Lowered<'_> {
         let node = &block.nodes[i];
         let slot = self.schedule.slots[i];
         match &node.op {
-            Op::Input { .. } | Op::Steady | Op::Phase(..) | Op::Earlier(_) => {}
+            Op::Input | Op::Steady | Op::Phase(..) | Op::Earlier(_) => {}
             _ if block.renames(i) => self.rename(i),
             Op::Capture { phase, late } => {
                 let arg = node.args[0].0;

@@ -94,6 +94,7 @@ pub fn stage(path: &Rc<Module>, latency: i32, clocks: u32, places: usize) -> Rc<
         latency,
         places: sequencer::places(latency, interval),
         pose: false,
+        // In the queue; so it is looked at a clock before the last phase.
         stays: true,
         waits: false,
     };
