@@ -217,10 +217,7 @@ fn pairs_are_asked_for_in_order_and_counted() {
         ),
         // The front moves on too soon, not at all with its query, or past the youngest one.
         ("and advance_free and not front_waits", "and advance_free"),
-        (
-            "            is_front(lane) <= is_front((lane + lanes - 1) mod lanes);\n",
-            "            is_front(lane) <= is_front(lane);\n",
-        ),
+        ("is_front(lane) <= is_front((lane + lanes - 1) mod lanes);", "is_front(lane) <= is_front(lane);"),
         ("some_of_last <= front_left;", "some_of_last <= '0';"),
         ("if (advances or ends_front) = '1' then", "if advances = '1' then"),
         ("may_advance and not advances and not ends_front;", "may_advance and not ends_front;"),
