@@ -141,7 +141,7 @@ fn a_pose_holds_for_pairs_accepted_in_a_later_clock() {
         let mut unit = Unit::new(&p);
         // After reset: the bypass.
         unit.send(&pairs[0], 1);
-        // A pose, then a pair in a later clock. A unit takes a pose within a slot.
+        // A pose, then a pair in a later clock. A pose is taken at once, or when the one that waits is active.
         unit.put(&pose_word(&p, &first));
         unit.set("pose_valid", 1);
         let taken = (0..p.interval()).any(|_| {

@@ -220,7 +220,14 @@ fn answer(entity: &mut Entity) -> Outcome {
                 clock += 1;
                 around.clock(entity, &mut rng, clock, None, options)?;
             }
+            // In the clock before, no other word is offered any more.
+            entity.set("forgets", 1);
+            clock += 1;
+            around.clock(entity, &mut rng, clock, None, options)?;
+            entity.set("forgets", 0);
             entity.set("restart", 1);
+            entity.settle();
+            expect(entity.is("m_axis_tvalid") == around.offered.is_some(), clock, "another word behind a soft reset")?;
             around.stands = true;
             for _ in 0..1 + round % 2 {
                 clock += 1;
@@ -269,6 +276,7 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         ("offered_last <= ends;", "offered_last <= '0';"),
         // A restart takes back what is offered, or lets a report go on.
         ("offered <= offered and not free;", "offered <= '0';"),
+        ("elsif (forgets or restart) = '1' then", "elsif restart = '1' then"),
         ("elsif (forgets or restart) = '1' then\n        place <= \"000\";", "elsif (forgets or restart) = '1' then"),
         ("survivors(lane) + unsigned(survived)", "survivors(lane) + unsigned(survived(0 downto 0))"),
         // Counts of another query, and what is lost where counters begin again.
