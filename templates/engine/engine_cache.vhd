@@ -76,6 +76,7 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   constant tag_parts : natural := {{ m.tag_parts.len() }};
   constant all_same : std_logic_vector(tag_parts downto 0) := (others => '1');
   signal same : std_logic_vector(tag_parts downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
+  signal same_as_before : std_logic := '0';  -- it follows a request for the same line
   signal hit : std_logic;
   signal passes : std_logic;
   signal misses : std_logic;
@@ -164,7 +165,7 @@ begin
 
   -- ===== Look-up =====
   looked_leaves <= looked and (passes or not judged);
-  hit <= '1' when same = all_same else '0';
+  hit <= '1' when same = all_same or same_as_before = '1' else '0';
   all_reserved <= reserved(reserved'high);
   passes <= judged and order_free and (hit or not (asking or all_reserved));
   misses <= passes and not hit;
@@ -205,11 +206,12 @@ begin
         judged_at <= looked_at;
         same <= (others => '0');
 {%- for part in m.tag_parts %}
-        if follows = '1' or tag_found({{ part.tag }}) = std_logic_vector(looked_at({{ part.address }})) then
+        if tag_found({{ part.tag }}) = std_logic_vector(looked_at({{ part.address }})) then
           same({{ loop.index0 }}) <= '1';
         end if;
 {%- endfor %}
-        same(tag_parts) <= (follows and follows_same) or (tag_found(tag_bits) and not follows);
+        same(tag_parts) <= tag_found(tag_bits) and not follows;
+        same_as_before <= follows and follows_same;
       end if;
       if misses = '1' then
         asked_address <= judged_at;

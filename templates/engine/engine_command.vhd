@@ -65,8 +65,8 @@ entity {{ prefix }}engine_command is
 {%- endif %}
     stop : out std_logic;
     forgets : out std_logic;  -- a soft reset; control and all others forget a clock later
-    reset_word : out std_logic;  -- one clock long: a soft reset by the stream; here it is done
-    stop_number : out std_logic_vector(23 downto 0)  -- of both
+    forget_number : out std_logic_vector(23 downto 0);  -- of its report, in that clock: 0 of one by the port
+    stop_number : out std_logic_vector(23 downto 0)
   );
 end entity {{ prefix }}engine_command;
 
@@ -221,6 +221,10 @@ begin
       closing <= '0';
       reset_now <= reset_taken and not (reset or soft_reset);
       stop_number <= head(option_number);
+      forget_number <= (others => '0');
+      if (reset_taken and not soft_reset) = '1' then
+        forget_number <= head(option_number);
+      end if;
 {%- if e.block_ram %}
       block_write <= '0';
       triangle_write <= '0';
@@ -469,7 +473,6 @@ begin
   end process receive;
   job_valid <= pending;
   forgets <= soft_reset or reset_taken;
-  reset_word <= reset_now;
   job_words <= words;
   job_query <= query_pending;
   job_posed <= posed_pending;

@@ -35,6 +35,7 @@ entity {{ prefix }}engine_control is
     job_reason : in std_logic_vector(4 downto 0);
     job_number : in std_logic_vector(23 downto 0);
     job_lane : out std_logic_vector(lane_bits - 1 downto 0);  -- that it gets
+    job_flags : out std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
     stop : in std_logic;
     stop_number : in std_logic_vector(23 downto 0);
     -- The first words of the query that is admitted next.
@@ -94,6 +95,7 @@ architecture rtl of {{ prefix }}engine_control is
   signal is_oldest : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
   signal admitted_lane : lane_number := (others => '0');  -- that is admitted next
   signal next_lane : lane_number := (others => '0');  -- of the next job
+  signal is_next : flags := (0 => '1', others => '0');
   signal occupied : flags := (others => '0');
   signal asked : flags := (others => '0');  -- by a query, and not by another job
   signal has_pose : flags := (others => '0');
@@ -147,6 +149,7 @@ begin
   all_idle <= '1' when idle = all_lanes else '0';
   job_taken <= taken;
   job_lane <= std_logic_vector(next_lane);
+  job_flags <= is_next;
   checked_lane <= std_logic_vector(admitted_lane);
   running <= running_now;
   busy <= busy_now;
@@ -182,7 +185,7 @@ begin
   -- ===== Jobs =====
   -- A query is taken beside others, another job alone.
   job_due <= job_valid and all_idle when occupied = no_lane else
-    job_valid and job_query and not occupied(to_integer(next_lane)) when (asked and is_oldest) /= no_lane else '0';
+    job_valid and job_query when (asked and is_oldest) /= no_lane and (occupied and is_next) = no_lane else '0';
   admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
   here <= occupied and admitted and is_oldest;
@@ -206,10 +209,11 @@ begin
       job_query => job_query,
       job_number => job_number,
       job_taken => taken,
-      job_lane => next_lane,
+      job_flags => is_next,
       stop => stop,
       stop_number => stop_number,
       oldest => oldest_lane,
+      oldest_flags => is_oldest,
       counting => not_reported,
       retire => retires,
       number => number,
@@ -285,7 +289,8 @@ begin
         end if;
         next_lane <= next_lane + 1;
         for lane in 0 to lanes - 1 loop
-          if next_lane = lane then
+          is_next(lane) <= is_next((lane + lanes - 1) mod lanes);
+          if is_next(lane) = '1' then
             now_occupied(lane) := '1';
             now_reasons(lane) := job_reason;
             now_sound(lane) := '0';
@@ -465,8 +470,10 @@ begin
         next_is_oldest := is_oldest;
         admitted_lane <= oldest_lane;
         next_lane <= oldest_lane;
+        is_next <= is_oldest;
         if reset = '0' then
           for lane in 0 to lanes - 1 loop
+            is_next(lane) <= is_oldest((lane + lanes - 1) mod lanes);
             if is_oldest(lane) = '1' then
               now_occupied(lane) := '1';
               asked(lane) <= '0';

@@ -130,6 +130,7 @@ fn answer(entity: &mut Entity) -> Outcome {
     for round in 0..48u64 {
         let oldest = round / 3 % LANES;
         entity.set("oldest", oldest);
+        entity.set("oldest_flags", 1 << oldest);
         (around.oldest, around.of_packets) = (oldest, round % 5 == 4);
         entity.set("running", (!around.of_packets).into());
         entity.set("clear", 1 << oldest);
@@ -138,8 +139,8 @@ fn answer(entity: &mut Entity) -> Outcome {
         (around.certain, around.unsure) = (0, 0);
         let mut options = Options { separate_too: round % 3 == 0, stop_at_contact: round % 4 == 0, dropping: false };
         let (mut of_lane, mut counts, mut stalled) = ([0; LANE_EVENTS.len()], [0; EVENTS.len()], 0);
-        // What happens in the clock before the one in which counters begin again counts.
-        for words in [1, 0] {
+        // What happens two clocks before the one in which counters begin again counts.
+        for words in [1, 0, 0] {
             entity.set("words_read", words);
             clock += 1;
             around.clock(entity, &mut rng, clock, None, options)?;
@@ -280,9 +281,10 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         ("elsif (forgets or restart) = '1' then\n        place <= \"000\";", "elsif (forgets or restart) = '1' then"),
         ("survivors(lane) + unsigned(survived)", "survivors(lane) + unsigned(survived(0 downto 0))"),
         // Counts of another query, and what is lost where counters begin again.
-        ("pairs_now <= pairs(to_integer(unsigned(oldest)));", "pairs_now <= pairs(0);"),
+        ("pairs_now <= pairs(lane);", "pairs_now <= pairs(0);"),
         ("if unsigned(tested_lane) = lane then", "if unsigned(survived_lane) = lane then"),
         ("counter(i)(0) <= steps(i);", "counter(i)(0) <= '0';"),
+        ("counter(i)(0) <= steps(i);", "counter(i)(0) <= events(i);"),
     ];
     let design =
         EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());

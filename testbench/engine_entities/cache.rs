@@ -89,6 +89,8 @@ fn caches_give_and_replace_lines() {
     let changes = [
         ("(filled or not order(", "('1' or not order("),
         ("if looked = '1' and looked_at(", "if looked = '0' and looked_at("),
+        ("same = all_same or same_as_before = '1' else", "same = all_same else"),
+        ("same(tag_parts) <= tag_found(tag_bits) and not follows;", "same(tag_parts) <= tag_found(tag_bits);"),
         ("sweeps <= '1' when flush = '1' or (", "sweeps <= '1' when ("),
         ("order_leaves <= serves or not order_valid;", "order_leaves <= serves;"),
     ];

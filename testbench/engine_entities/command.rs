@@ -386,6 +386,8 @@ fn command(entity: &mut Entity) -> Outcome {
     let (mut begun, mut first, mut resets) = (0, true, 0);
     // Clocks in which nothing is taken, so that a soft reset is seen to overtake what waits, and how often it does.
     let (mut hold, mut seen, mut waited, mut overtakes) = (0u32, false, false, 0);
+    // A clock before, a soft reset by the stream is announced.
+    let mut announced = false;
     // A word that was offered stays until it is taken.
     let mut offered = false;
     for clock in 0.. {
@@ -422,13 +424,16 @@ fn command(entity: &mut Entity) -> Outcome {
             expect(due == Some(entity.get("stop_number")), clock, "stop_number")?;
         }
         let mut forgets = soft;
-        if entity.is("reset_word") {
+        let reset_word = announced;
+        announced = entity.is("forgets") && !soft;
+        expect(reset_word || entity.get("forget_number") == 0, clock, "a number of a soft reset by the port")?;
+        if reset_word {
             // What comes before it is forgotten.
             let at = packets.due.iter().position(|(_, work)| matches!(work, Work::Reset(_)));
             let Some((_, Work::Reset(number))) = at.and_then(|at| packets.due.drain(..=at).next_back()) else {
                 return Err(format!("clock {clock}: a soft reset from nowhere"));
             };
-            expect(entity.get("stop_number") == number, clock, "number of a soft reset")?;
+            expect(entity.get("forget_number") == number, clock, "number of a soft reset")?;
             expect(!entity.is("pair_valid"), clock, "a pair from before a soft reset")?;
             forgets = true;
             resets += 1;

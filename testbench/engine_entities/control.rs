@@ -313,6 +313,8 @@ impl Control<'_> {
             ("posed", self.flags(|lane| lane.job.posed, false)),
             ("counting", self.flags(|lane| lane.job.query && !front(lane), false)),
             ("oldest", self.oldest as u64),
+            ("oldest_flags", 1 << self.oldest),
+            ("job_flags", 1 << self.entity.get("job_lane")),
             ("running", u64::from(!self.lanes.is_empty())),
             ("report_due", self.reporting.into()),
             ("abort", self.aborting.into()),
@@ -491,7 +493,7 @@ fn control(entity: &mut Entity) -> Outcome {
 fn jobs_are_checked_and_run_and_reported() {
     let changes = [
         ("job_due <= job_valid and all_idle when", "job_due <= job_valid when"),
-        ("when (asked and is_oldest) /= no_lane else '0';", "when asked = asked else '0';"),
+        ("when (asked and is_oldest) /= no_lane and (occupied", "when (occupied"),
         ("+ resize(counts(i), 33) > 67108864", "+ resize(counts(i), 33) >= 67108864"),
         ("if counts(0) = 0 or counts(1) = 0 then", "if counts(0) = 0 then"),
         ("if flush_now = '0' and flushing = '0' then", "if flushing = '0' then"),
@@ -514,6 +516,8 @@ fn jobs_are_checked_and_run_and_reported() {
             "            now_reasons(lane) := fine;",
         ),
         ("numbers(lane) <= forget_number;", "numbers(lane) <= job_number;"),
+        // Behind a soft reset, the flag of the next job is another one than its lane.
+        ("is_next(lane) <= is_oldest((lane + lanes - 1) mod lanes);", "is_next(lane) <= is_oldest(lane);"),
     ];
     let design =
         EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());

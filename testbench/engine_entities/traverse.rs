@@ -463,7 +463,7 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("nodes_finished <= candidate and is_last;", "nodes_finished <= candidate;"),
         ("\"0100\" when left_over(2) = '1' else", "\"0110\" when left_over(2) = '1' else"),
         ("side_a & not side_a;", "not side_a & side_a;"),
-        ("joins_b(1) <= next_leaf(1) and next_leaf(0) and", "joins_b(1) <="),
+        ("joins_b(1) := next_leaf(1) and next_leaf(0) and", "joins_b(1) :="),
         ("there_b <= listed_b and present_b;", "there_b <= listed_b;"),
         ("or listed_deepest))", "))"),
         ("(listed_leaves(k) and (fault_a(a) or fault_b(b)))", "(listed_leaves(k) and fault_b(b))"),
@@ -471,7 +471,8 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("if allowed = 1 then", "if allowed = 2 then"),
         ("+ unsigned(met_survivors(3 downto 3))", ""),
         // A record is lost, or overtaken.
-        ("(nodes_wait = '1' or nodes_free = '0')", "nodes_free = '0'"),
+        ("(nodes_wait = '1' or last_pick = '0')", "last_pick = '0'"),
+        ("next_last := next_joins_b(0);", "next_last := next_joins_a(0);"),
         (
             "next_leaves <= leaf_memory(to_integer(leaf_read)) when leaves_wait = '1'",
             "next_leaves <= leaf_memory(to_integer(leaf_read)) when brings_leaves = '0'",

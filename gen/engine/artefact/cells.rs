@@ -210,7 +210,7 @@ impl Sheet<'_> {
         let luts = 40 + self.design.params.lane_bits() * self.of([15, 24, 16]);
         let around = [self.answer(), self.command(), self.control(), self.lines(), self.pairs(), self.queries()];
         let parts = around.into_iter().chain([self.traverse(), self.triangles()]).collect();
-        self.entity(NAME, 3, &[], &[], luts).holding(parts)
+        self.entity(NAME, 4, &[], &[], luts).holding(parts)
     }
 
     /// What both sides have to take and to give.
@@ -233,7 +233,7 @@ impl Sheet<'_> {
     fn answer(&self) -> Entity {
         let (lanes, lane_bits) = (self.design.params.queries, self.design.params.lane_bits());
         let flip_flops =
-            205 + lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
+            215 + lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
         let luts = self.of([857, 1012, 795]) + lanes * self.of([40, 130, 4]);
         // Each bit of a count is chosen among more lanes than a table has inputs for.
         let luts = luts + u32::from(lanes > 4) * 5 * 32 * self.of([2, 0, 2]);
@@ -247,7 +247,7 @@ impl Sheet<'_> {
         let (loads, line) =
             (u32::from(values.block_ram), values.memory.load_line.high - values.memory.load_line.low + 1);
         let signs = values.unit.signs.len() as u32;
-        let flip_flops = words + 241 + signs.min(1) + loads * (53 + 2 * line);
+        let flip_flops = words + 265 + signs.min(1) + loads * (53 + 2 * line);
         let luts = self.of([287, 313, 247]) + signs * self.of([2, 16, 2]) + loads * self.of([52, 105, 51]);
         self.entity("engine_command", flip_flops, &[], &[(1, 6), (loads, line + 1), (loads, 8)], luts)
     }
@@ -256,7 +256,7 @@ impl Sheet<'_> {
     fn control(&self) -> Entity {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
-        let flip_flops = lanes * (5 + 10) + 4 * lane_bits + 10 + 6 * axi;
+        let flip_flops = lanes * (5 + 11) + 4 * lane_bits + 10 + 6 * axi;
         let luts = self.of([14, 150, 27]) + lanes * self.of([75, 80, 55]) + self.chosen(5);
         self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.check(), self.stop()])
     }
@@ -341,7 +341,7 @@ impl Sheet<'_> {
         let whole = (unread + 1).saturating_sub(cell) / cell * cell;
         let record = self.read_bits(entry + 4 * child, entry + 124 - 4 * whole);
         let queues = 2 * (3 * flight + 1) + lane + 117;
-        let pushed = 3 * lane + 17 + (entry - 4) + 4 * child + 2 * child + 2 * node + level;
+        let pushed = 3 * lane + 18 + (entry - 4) + 4 * child + 2 * child + 2 * node + level;
         let memories = [record, lane, 116, lane].map(|bits| (Apart, t.flight_places, bits));
         let luts = self.of([314, 369, 305]) + 8 * node;
         self.entity("engine_survivors", queues + pushed, &memories, &[(4, flight), (4, flight + 1)], luts)
@@ -377,7 +377,7 @@ impl Sheet<'_> {
     fn pairs(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, place, open) = (params.queries, t.pair_bits, t.open_bits);
-        let flip_flops = lanes * (3 * place + open + 9) + 3 * params.lane_bits() + 2 * open + 4;
+        let flip_flops = lanes * (3 * place + open + 9) + 3 * params.lane_bits() + 2 * open + 5 + PAIR_BITS;
         let luts = self.of([2, 63, 17])
             + lanes * (place + 2 * open + self.of([37, 30, 29]))
             + 5 * open
@@ -404,7 +404,7 @@ impl Sheet<'_> {
         memories.push((Registered, lines.return_words, lines.word_bits));
         memories.push((Apart, lines.places, place + 1));
         let used = lines.used_number.high + 1;
-        let flip_flops = 5 * ADDRESS_BITS + lines.word_bits + 2 * place + 3 * returned + tags + 41;
+        let flip_flops = 5 * ADDRESS_BITS + lines.word_bits + 2 * place + 3 * returned + tags + 42;
         let chains = [(1, ADDRESS_BITS), (1, place), (2, 5), (3, 4), (2, returned), (1, returned + 1)];
         let luts = self.of([182, 190, 169]) + 2 * words + 2 * tags + used;
         self.entity(lines.entity, flip_flops, &memories, &chains, luts).times(2)

@@ -137,8 +137,8 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
     let address_bits = if axi { LINE_ADDRESS_BITS } else { line_address_bits };
     let (return_words, return_bits) = places(PLACES * words_per_line);
     let tag_bits = LINE_ADDRESS_BITS - line_address_bits;
-    // Short parts, because tags come late in their clock.
-    const LONGEST: u32 = 3;
+    // Tags come late in their clock: a table of four inputs compares a part.
+    const LONGEST: u32 = 2;
     let part = |low: u32| {
         let bits = LONGEST.min(tag_bits - low);
         TagPart { tag: Bits::new(low, bits), address: Bits::new(line_address_bits + low, bits) }
