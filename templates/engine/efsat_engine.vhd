@@ -536,8 +536,7 @@ begin
       m_axis_tready => m_axis_tready
     );
   begin_again : for lane in 0 to lanes - 1 generate
-    clear(lane) <= reset or job_taken or (abort and not counting(lane)) when job_flags(lane) = '1' else
-      reset or abort when oldest_flags(lane) = '0' else reset;
+    clear(lane) <= reset or (job_taken and job_flags(lane)) or (abort and not oldest_flags(lane));
   end generate begin_again;
   paired <= pair_valid and pair_ready;
   starved <= volume_ready and waiting and not blocks_valid;

@@ -127,7 +127,8 @@ architecture rtl of {{ prefix }}engine_answer is
   signal tests : lane_counts := (others => (others => '0'));
   signal survivors : lane_counts := (others => (others => '0'));
   signal pairs : lane_counts := (others => (others => '0'));
-  -- Of the oldest query, a clock later: its last pair is answered after that.
+  -- Of the oldest query, two clocks later: its report comes later still.
+  signal shown : std_logic_vector(lanes - 1 downto 0) := (others => '0');
   signal clocks_now : unsigned(31 downto 0) := (others => '0');
   signal expansions_now : unsigned(31 downto 0) := (others => '0');
   signal tests_now : unsigned(31 downto 0) := (others => '0');
@@ -316,8 +317,9 @@ begin
           pairs(lane) <= (others => '0');
         end if;
       end loop;
+      shown <= oldest_flags;
       for lane in 0 to lanes - 1 loop
-        if oldest_flags(lane) = '1' then
+        if shown(lane) = '1' then
           clocks_now <= clocks(lane);
           expansions_now <= expansions(lane);
           tests_now <= tests(lane);

@@ -97,6 +97,7 @@ architecture rtl of {{ prefix }}engine_command is
 {%- if e.block_ram %}
   constant is_load : natural := 7;
 {%- endif %}
+  constant is_job : natural := {{ e.query.kinds }} - 1;  -- what has to have a place for its job: all but the header of a query with words behind it
   constant kinds : natural := {{ e.query.kinds }};
 {% include "engine/held_signals.vhd" %}
   signal ready : std_logic;
@@ -166,6 +167,7 @@ begin
   arrives <= ready and s_axis_tvalid;
   whole <= '1' when s_axis_tkeep = all_bytes else '0';
   kind(is_query) <= whole when s_axis_tdata = query_format & query_header else '0';
+  kind(is_job) <= s_axis_tlast or not kind(is_query);
   stays_within <= not s_axis_tlast when arrives = '1' else within_packet;
   kind(is_stop) <= whole and s_axis_tlast when s_axis_tdata(39 downto 0) = stop_header else '0';
   kind(is_reset) <= whole and s_axis_tlast when s_axis_tdata(39 downto 0) = reset_header else '0';
@@ -182,7 +184,7 @@ begin
   -- ===== Packets =====
   -- A packet begins when its job has a place to go, and pairs when everything before them is done. The header of a query goes
   -- nowhere: its words wait for the register.
-  waits <= reset_now or ((pending or closing) and (head_last or not head_kind(is_query))) or (busy and {% if e.block_ram %}(head_kind(is_load) or head_kind(is_pairs)){% else %}head_kind(is_pairs){% endif %});
+  waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and {% if e.block_ram %}(head_kind(is_load) or head_kind(is_pairs)){% else %}head_kind(is_pairs){% endif %});
   taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when at_header = '1' else
     head_valid and not occupied and not holds;
   holds <= pending and not job_taken;
@@ -262,7 +264,6 @@ begin
         end if;
         if at_end = '1' then
           behind <= '1';
-          gathers <= '0';
         end if;
       end if;
       if moving = '1' and at_end = '1' then
@@ -338,6 +339,9 @@ begin
             next_expectation := skip_state;
           end if;
         elsif expectation = query_state then
+          if at_end = '1' then
+            gathers <= '0';
+          end if;
           if fault = fine then
             if head_whole = '0' then
               found := too_short;

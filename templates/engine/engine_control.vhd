@@ -188,10 +188,10 @@ begin
     job_valid and job_query when (asked and is_oldest) /= no_lane and (occupied and is_next) = no_lane else '0';
   admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
-  here <= occupied and admitted and is_oldest;
+  here <= admitted and is_oldest;
 {%- if e.axi %}
   fails <= reads_before and (error_before or silent_before) and not (reporting or aborting or reset or forget)
-    when (here and started_now) /= no_lane else '0';
+    when (started_now and is_oldest) /= no_lane else '0';
 {%- endif %}
 
   by_lane : for lane in 0 to lanes - 1 generate

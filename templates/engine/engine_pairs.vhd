@@ -194,7 +194,7 @@ begin
   begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
-        comes := (accepts and not passes) = '1' and unsigned(pair_lane) = lane;
+        comes := (pair_valid and not full(lane) and not passes) = '1' and unsigned(pair_lane) = lane;
         goes := fetches = '1' and is_front(lane) = '1';
         if comes then
           written(lane) <= written(lane) + 1;

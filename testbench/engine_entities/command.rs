@@ -472,7 +472,7 @@ fn every_packet_becomes_what_it_is() {
         ("(head_kind(is_stop) or not waits)", "not waits"),
         ("((pending or closing) and", "(pending and"),
         // The header of a query is taken early: one that ends its packet, words behind it, and what the job before is.
-        ("(head_last or not head_kind(is_query))", "not head_kind(is_query)"),
+        ("kind(is_job) <= s_axis_tlast or not kind(is_query);", "kind(is_job) <= not kind(is_query);"),
         ("not occupied and not holds;", "not occupied;"),
         ("(head_valid and gathers and not holds)", "(head_valid and gathers)"),
         ("job_short <= short_pending;", "job_short <= short;"),

@@ -233,7 +233,7 @@ impl Sheet<'_> {
     fn answer(&self) -> Entity {
         let (lanes, lane_bits) = (self.design.params.queries, self.design.params.lane_bits());
         let flip_flops =
-            215 + lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
+            215 + 2 * lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
         let luts = self.of([857, 1012, 795]) + lanes * self.of([40, 130, 4]);
         // Each bit of a count is chosen among more lanes than a table has inputs for.
         let luts = luts + u32::from(lanes > 4) * 5 * 32 * self.of([2, 0, 2]);
@@ -247,7 +247,7 @@ impl Sheet<'_> {
         let (loads, line) =
             (u32::from(values.block_ram), values.memory.load_line.high - values.memory.load_line.low + 1);
         let signs = values.unit.signs.len() as u32;
-        let flip_flops = words + 265 + signs.min(1) + loads * (53 + 2 * line);
+        let flip_flops = words + 267 + signs.min(1) + loads * (53 + 2 * line);
         let luts = self.of([287, 313, 247]) + signs * self.of([2, 16, 2]) + loads * self.of([52, 105, 51]);
         self.entity("engine_command", flip_flops, &[], &[(1, 6), (loads, line + 1), (loads, 8)], luts)
     }

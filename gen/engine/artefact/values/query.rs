@@ -60,7 +60,7 @@ impl Query {
             directions: format.k(),
             rows: format.rows(),
             query_words: format.query_words(),
-            kinds: if memory == Memory::BlockRam { 8 } else { 7 },
+            kinds: if memory == Memory::BlockRam { 9 } else { 8 },
             query_header: header(Command::Query),
             query_format: format!("{:08x}", format.header_high()),
             load_header: header(Command::Load),
