@@ -36,8 +36,8 @@ fn mismatches(params: &Params, count: usize, netlist: Netlist) -> Option<u64> {
 #[test]
 fn netlists_answer_as_the_reference_model() {
     let other = Params {
-        width: 12,
-        transform_width: 14,
+        width: 9,
+        transform_width: 11,
         upper: efsat::params::Upper::Sticky,
         transform: Transform::Translate,
         axes_per_clock: 2,

@@ -28,6 +28,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   -- Jobs and the queries in flight
   signal job_valid : std_logic;
   signal job_taken : std_logic;
+  signal job_stored : std_logic;
   signal job_query : std_logic;
   signal job_posed : std_logic;
   signal job_short : std_logic;
@@ -251,6 +252,7 @@ begin
       forget_number => forget_number,
       job_valid => job_valid,
       job_taken => job_taken,
+      job_stored => job_stored,
       job_query => job_query,
       job_posed => job_posed,
       job_short => job_short,
@@ -305,7 +307,7 @@ begin
     port map (
       clk => aclk,
       reset => forgotten,
-      store => job_taken,
+      store => job_stored,
       store_lane => job_lane,
       job_words => job_words,
       job_query => job_query,

@@ -29,6 +29,7 @@ entity {{ prefix }}engine_control is
     forget_number : in std_logic_vector(23 downto 0);
     job_valid : in std_logic;
     job_taken : out std_logic;
+    job_stored : out std_logic;  -- the same, for the memories of the queries
     job_query : in std_logic;
     job_posed : in std_logic;
     job_short : in std_logic;
@@ -117,6 +118,8 @@ architecture rtl of {{ prefix }}engine_control is
   type phase_state is (waiting_state, take_state, check_state{% if e.axi %}, flush_state{% endif %});
   signal phase : phase_state := waiting_state;
   signal taken : std_logic := '0';
+  -- The same in a register of its own, because hundreds of cells are written by it: another first value keeps tools from making one of both.
+  signal stored : std_logic := '1';
   signal all_idle : std_logic;  -- a clock ago: a pair of a packet ends it two clocks before a job can come behind that
   signal idle_is_old : std_logic := '0';  -- a job was taken or the oldest query reported in the clock before: idle is of that clock
   signal job_due : std_logic;
@@ -148,6 +151,7 @@ architecture rtl of {{ prefix }}engine_control is
 begin
   all_idle <= '1' when idle = all_lanes else '0';
   job_taken <= taken;
+  job_stored <= stored;
   job_lane <= std_logic_vector(next_lane);
   job_flags <= is_next;
   checked_lane <= std_logic_vector(admitted_lane);
@@ -497,8 +501,10 @@ begin
       sound <= now_sound;
       reporting <= now_reporting;
       taken <= '0';
+      stored <= '0';
       if next_phase = take_state then
         taken <= '1';
+        stored <= '1';
       end if;
     end if;
   end process proceed;

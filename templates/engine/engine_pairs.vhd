@@ -77,6 +77,7 @@ architecture rtl of {{ prefix }}engine_pairs is
   signal accepts : std_logic;
   signal passes : std_logic;  -- it is the next one of the front lane, and passes by its queue
   signal fetches : std_logic;
+  signal goes_on : std_logic;  -- one is fetched, or passes: that comes and goes in the same clock
   -- The first pair of the front lane, and the one behind it: a memory is far from where its word goes.
   signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal is_front : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
@@ -128,6 +129,7 @@ begin
   request_b <= head(27 downto 0);
   moves <= request_ready or not head_valid;
   fetches <= front_waits and not front_ending and (moves or not next_valid);
+  goes_on <= fetches or passes;
   front <= std_logic_vector(front_lane);
 
   last_left <= '0' when some_of_last = '0' or (triangles_taken = '1' and of_last = 1) else '1';
@@ -150,7 +152,7 @@ begin
 
   each_lane : for lane in 0 to lanes - 1 generate
   begin
-    pair_left(lane) <= (fetches or passes) and is_front(lane);
+    pair_left(lane) <= goes_on and is_front(lane);
 
     rest : process (clk)
     begin
@@ -167,7 +169,6 @@ begin
   remember : process (clk)
   begin
     if rising_edge(clk) then
-      -- A pair that passes is written, too, to a place that counts as free.
       if accepts = '1' then
         queue(to_integer(write_place)) <= pair_a & pair_b;
       end if;
@@ -194,8 +195,8 @@ begin
   begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
-        comes := (pair_valid and not full(lane) and not passes) = '1' and unsigned(pair_lane) = lane;
-        goes := fetches = '1' and is_front(lane) = '1';
+        comes := (pair_valid and not full(lane)) = '1' and unsigned(pair_lane) = lane;
+        goes := (goes_on and is_front(lane)) = '1';
         if comes then
           written(lane) <= written(lane) + 1;
         end if;

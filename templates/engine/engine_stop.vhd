@@ -42,6 +42,7 @@ architecture rtl of {{ prefix }}engine_stop is
   signal same_job : std_logic;
   signal same_job_before : std_logic := '0';
   signal same : flags := (others => '0');  -- lanes whose number it is
+  signal moved : flags := (others => '0');  -- lanes that got a job a clock ago: its number is told by same_job_before
   signal found : flags := (others => '0');  -- lanes with such a query
   signal found_job : std_logic := '0';  -- the job that waits has it
   signal first : flags;  -- the oldest of those lanes
@@ -74,10 +75,13 @@ begin
         if numbers(lane) = stop_number then
           same(lane) <= '1';
         end if;
+        moved(lane) <= job_taken and job_flags(lane);
         found(lane) <= due and same(lane) and counting(lane) and not forgotten;
+        if moved(lane) = '1' then
+          found(lane) <= due and same_job_before and counting(lane) and not forgotten;
+        end if;
         if job_taken = '1' and job_flags(lane) = '1' then
           numbers(lane) <= job_number;
-          same(lane) <= same_job;
           found(lane) <= due and same_job_before and not forgotten;
         end if;
         if forget = '1' and oldest_flags(lane) = '1' then

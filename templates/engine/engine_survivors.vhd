@@ -58,7 +58,7 @@ architecture rtl of {{ prefix }}engine_survivors is
   signal node_written : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal node_read : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal node_count : unsigned(flight_bits downto 0) := (others => '0');
-  signal nodes_wait : std_logic;
+  signal nodes_wait : std_logic := '0';
   signal next_nodes : node_record;
   signal next_leaf : std_logic_vector(3 downto 0);  -- which of its children are leaves
   signal next_node_lane : unsigned(lane_bits - 1 downto 0);
@@ -71,7 +71,7 @@ architecture rtl of {{ prefix }}engine_survivors is
   signal leaf_written : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal leaf_read : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal leaf_count : unsigned(flight_bits downto 0) := (others => '0');
-  signal leaves_wait : std_logic;
+  signal leaves_wait : std_logic := '0';
   signal next_leaves : leaf_record;
   signal next_leaf_lane : unsigned(lane_bits - 1 downto 0);
   signal leaves_free : std_logic;
@@ -121,12 +121,10 @@ begin
   met_leaf_record <= met_leaves & met_family(117 downto 90) & met_family(87 downto 60) & met_family(57 downto 30) & met_family(27 downto 0);
 
   -- A record goes into its queue if it is not the first.
-  nodes_wait <= '0' when node_count = 0 else '1';
   nodes_come <= nodes_wait or brings_nodes;
   next_nodes <= node_memory(to_integer(node_read)) when nodes_wait = '1' else met_node_record;
   next_leaf <= next_nodes(entry_bits + 119) & next_nodes(entry_bits + 89) & next_nodes(entry_bits + 59) & next_nodes(entry_bits + 29);
   next_node_lane <= node_lanes(to_integer(node_read)) when nodes_wait = '1' else met_lane;
-  leaves_wait <= '0' when leaf_count = 0 else '1';
   leaves_free <= last_sent or not some_leaves;
   next_leaves <= leaf_memory(to_integer(leaf_read)) when leaves_wait = '1' else met_leaf_record;
   next_leaf_lane <= leaf_lanes(to_integer(leaf_read)) when leaves_wait = '1' else met_lane;
@@ -164,9 +162,11 @@ begin
         node_written <= (others => '0');
         node_read <= (others => '0');
         node_count <= (others => '0');
+        nodes_wait <= '0';
         leaf_written <= (others => '0');
         leaf_read <= (others => '0');
         leaf_count <= (others => '0');
+        leaves_wait <= '0';
       else
         if brings_nodes = '1' and (nodes_wait = '1' or last_pick = '0') then
           node_written <= node_written + 1;
@@ -175,8 +175,14 @@ begin
           node_read <= node_read + 1;
         end if;
         node_count <= node_more;
+        nodes_wait <= '0';
         if last_pick = '1' then
           node_count <= node_left;
+          if node_left /= 0 then
+            nodes_wait <= '1';
+          end if;
+        elsif node_more /= 0 then
+          nodes_wait <= '1';
         end if;
         if brings_leaves = '1' and (leaves_wait = '1' or leaves_free = '0') then
           leaf_written <= leaf_written + 1;
@@ -185,8 +191,14 @@ begin
           leaf_read <= leaf_read + 1;
         end if;
         leaf_count <= leaf_more;
+        leaves_wait <= '0';
         if leaves_free = '1' then
           leaf_count <= leaf_left;
+          if leaf_left /= 0 then
+            leaves_wait <= '1';
+          end if;
+        elsif leaf_more /= 0 then
+          leaves_wait <= '1';
         end if;
       end if;
     end if;

@@ -256,7 +256,7 @@ impl Sheet<'_> {
     fn control(&self) -> Entity {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
-        let flip_flops = lanes * (5 + 11) + 4 * lane_bits + 10 + 6 * axi;
+        let flip_flops = lanes * (5 + 11) + 4 * lane_bits + 11 + 6 * axi;
         let luts = self.of([14, 150, 27]) + lanes * self.of([75, 80, 55]) + self.chosen(5);
         self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.check(), self.stop()])
     }
@@ -273,7 +273,7 @@ impl Sheet<'_> {
     fn stop(&self) -> Entity {
         let lanes = self.design.params.queries;
         let luts = self.of([44, 60, 37]) + lanes * self.of([50, 80, 45]) + self.chosen(24);
-        self.entity("engine_stop", lanes * (24 + 3) + 4, &[], &[], luts)
+        self.entity("engine_stop", lanes * (24 + 4) + 4, &[], &[], luts)
     }
 
     /// The words of queries for each of their readers; entries of the matrix are cut off and saturated.
@@ -340,7 +340,7 @@ impl Sheet<'_> {
         let (cell, unread) = (self.fabric.memory_cell.1, 31 - child);
         let whole = (unread + 1).saturating_sub(cell) / cell * cell;
         let record = self.read_bits(entry + 4 * child, entry + 124 - 4 * whole);
-        let queues = 2 * (3 * flight + 1) + lane + 117;
+        let queues = 2 * (3 * flight + 2) + lane + 117;
         let pushed = 3 * lane + 18 + (entry - 4) + 4 * child + 2 * child + 2 * node + level;
         let memories = [record, lane, 116, lane].map(|bits| (Apart, t.flight_places, bits));
         let luts = self.of([314, 369, 305]) + 8 * node;
