@@ -117,7 +117,7 @@ architecture rtl of {{ prefix }}engine_pairs is
 begin
   write_place <= unsigned(pair_lane) & written(to_integer(unsigned(pair_lane)));
   fetch_place <= front_lane & fetched(to_integer(front_lane));
-  passes <= pair_valid and moves and not (front_waits or front_ending or next_valid) when unsigned(pair_lane) = front_lane else '0';
+  passes <= pair_valid and is_front(to_integer(unsigned(pair_lane))) and moves and not (front_waits or front_ending or next_valid);
   accepts <= pair_valid and not full(to_integer(unsigned(pair_lane)));
   pair_ready <= not full(to_integer(unsigned(pair_lane)));
   front_ending <= '0' when (ending and is_front) = nobody else '1';

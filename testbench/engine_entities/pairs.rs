@@ -230,8 +230,8 @@ fn pairs_are_asked_for_in_order_and_counted() {
         ("next_valid <= fetches or (next_valid and not moves);", "next_valid <= fetches;"),
         ("and advance_free and not (head_valid or next_valid)", "and advance_free and not head_valid"),
         // A pair passes by one that is older, or is asked for twice.
-        ("not (front_waits or front_ending or next_valid) when", "not (front_ending or next_valid) when"),
-        ("not (front_waits or front_ending or next_valid) when", "not (front_waits or front_ending) when"),
+        ("not (front_waits or front_ending or next_valid)", "not (front_ending or next_valid)"),
+        ("not (front_waits or front_ending or next_valid)", "not (front_waits or front_ending)"),
         ("goes_on <= fetches or passes;", "goes_on <= fetches;"),
         ("not some_open(lane) and not opened(lane) and", "not some_open(lane) and"),
     ];
