@@ -48,8 +48,8 @@ entity engine_command is
     pair_last : out std_logic;  -- the last of its packet
     stop : out std_logic;
     forgets : out std_logic;  -- a soft reset; control and all others forget a clock later
-    reset_word : out std_logic;  -- one clock long: a soft reset by the stream; here it is done
-    stop_number : out std_logic_vector(23 downto 0)  -- of both
+    forget_number : out std_logic_vector(23 downto 0);  -- of its report, in that clock: 0 of one by the port
+    stop_number : out std_logic_vector(23 downto 0)
   );
 end entity engine_command;
 
@@ -74,7 +74,8 @@ architecture rtl of engine_command is
   constant is_pose : natural := 4;
   constant is_short : natural := 5;  -- of kind 1 or 2, be it known or not
   constant is_reset : natural := 6;  -- with nothing behind it
-  constant kinds : natural := 7;
+  constant is_job : natural := 8 - 1;  -- what has to have a place for its job: all but the header of a query with words behind it
+  constant kinds : natural := 8;
   signal kind : std_logic_vector(kinds - 1 downto 0);
   signal running : std_logic := '0';
   signal head_valid : std_logic := '0';
@@ -136,6 +137,7 @@ begin
   arrives <= ready and s_axis_tvalid;
   whole <= '1' when s_axis_tkeep = all_bytes else '0';
   kind(is_query) <= whole when s_axis_tdata = query_format & query_header else '0';
+  kind(is_job) <= s_axis_tlast or not kind(is_query);
   stays_within <= not s_axis_tlast when arrives = '1' else within_packet;
   kind(is_stop) <= whole and s_axis_tlast when s_axis_tdata(39 downto 0) = stop_header else '0';
   kind(is_reset) <= whole and s_axis_tlast when s_axis_tdata(39 downto 0) = reset_header else '0';
@@ -190,7 +192,7 @@ begin
   -- ===== Packets =====
   -- A packet begins when its job has a place to go, and pairs when everything before them is done. The header of a query goes
   -- nowhere: its words wait for the register.
-  waits <= reset_now or ((pending or closing) and (head_last or not head_kind(is_query))) or (busy and head_kind(is_pairs));
+  waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and head_kind(is_pairs));
   taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when at_header = '1' else
     head_valid and not occupied and not holds;
   holds <= pending and not job_taken;
@@ -218,6 +220,10 @@ begin
       closing <= '0';
       reset_now <= reset_taken and not (reset or soft_reset);
       stop_number <= head(option_number);
+      forget_number <= (others => '0');
+      if (reset_taken and not soft_reset) = '1' then
+        forget_number <= head(option_number);
+      end if;
       if job_taken = '1' then
         pending <= '0';
       end if;
@@ -247,7 +253,6 @@ begin
         end if;
         if at_end = '1' then
           behind <= '1';
-          gathers <= '0';
         end if;
       end if;
       if moving = '1' and at_end = '1' then
@@ -309,6 +314,9 @@ begin
             next_expectation := skip_state;
           end if;
         elsif expectation = query_state then
+          if at_end = '1' then
+            gathers <= '0';
+          end if;
           if fault = fine then
             if head_whole = '0' then
               found := too_short;
@@ -400,7 +408,6 @@ begin
   end process receive;
   job_valid <= pending;
   forgets <= soft_reset or reset_taken;
-  reset_word <= reset_now;
   job_words <= words;
   job_query <= query_pending;
   job_posed <= posed_pending;

@@ -19,6 +19,7 @@ entity engine_pairs is
     reset : in std_logic;
     -- The queries.
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
+    oldest_flags : in std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
     retire : in std_logic;  -- it is done, and so is all of it here
     posed : in std_logic_vector(lanes - 1 downto 0);  -- lanes with a pose for the unit
     started : in std_logic_vector(lanes - 1 downto 0);
@@ -74,16 +75,20 @@ architecture rtl of engine_pairs is
   signal write_place : unsigned(lane_bits + place_bits - 1 downto 0);
   signal fetch_place : unsigned(lane_bits + place_bits - 1 downto 0);
   signal accepts : std_logic;
+  signal passes : std_logic;  -- it is the next one of the front lane, and passes by its queue
   signal fetches : std_logic;
-  -- The first pair of the front lane.
+  signal goes_on : std_logic;  -- one is fetched, or passes: that comes and goes in the same clock
+  -- The first pair of the front lane, and the one behind it: a memory is far from where its word goes.
   signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal is_front : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
   signal next_lane : unsigned(lane_bits - 1 downto 0);
   signal front_ending : std_logic;
   signal front_waits : std_logic;
+  signal next_pair : std_logic_vector(55 downto 0) := (others => '0');
+  signal next_valid : std_logic := '0';
+  signal moves : std_logic;
   signal head : std_logic_vector(55 downto 0) := (others => '0');
   signal head_valid : std_logic := '0';
-  signal head_leaves : std_logic;
   signal asks : std_logic;
   signal asked : std_logic;
   -- Pairs asked for and not yet in the unit: those of the lane that was the front before come first.
@@ -112,6 +117,7 @@ architecture rtl of engine_pairs is
 begin
   write_place <= unsigned(pair_lane) & written(to_integer(unsigned(pair_lane)));
   fetch_place <= front_lane & fetched(to_integer(front_lane));
+  passes <= pair_valid and is_front(to_integer(unsigned(pair_lane))) and moves and not (front_waits or front_ending or next_valid);
   accepts <= pair_valid and not full(to_integer(unsigned(pair_lane)));
   pair_ready <= not full(to_integer(unsigned(pair_lane)));
   front_ending <= '0' when (ending and is_front) = nobody else '1';
@@ -121,8 +127,9 @@ begin
   request_valid <= asks;
   request_a <= head(55 downto 28);
   request_b <= head(27 downto 0);
-  head_leaves <= head_valid and (front_ending or request_ready);
-  fetches <= front_waits and not front_ending and (request_ready or not head_valid);
+  moves <= request_ready or not head_valid;
+  fetches <= front_waits and not front_ending and (moves or not next_valid);
+  goes_on <= fetches or passes;
   front <= std_logic_vector(front_lane);
 
   last_left <= '0' when some_of_last = '0' or (triangles_taken = '1' and of_last = 1) else '1';
@@ -139,23 +146,24 @@ begin
   advance_free <= '1' when (some_open or opened) = nobody else
     not (leaves_only(to_integer(front_lane)) or leaves_only(to_integer(next_lane)));
   ends_front <= retire when front_lane = unsigned(oldest) else '0';
-  may_advance <= has_pose and traversed(to_integer(front_lane)) and advance_free and not front_waits
-    and not head_valid and started(to_integer(next_lane)) when next_lane /= unsigned(oldest) else '0';
+  -- While pairs of the front lane wait in the queue, another one is held or its pose is not there yet.
+  may_advance <= has_pose and traversed(to_integer(front_lane)) and advance_free and not (head_valid or next_valid)
+    and started(to_integer(next_lane)) when next_lane /= unsigned(oldest) else '0';
 
   each_lane : for lane in 0 to lanes - 1 generate
   begin
-    pair_left(lane) <= fetches and is_front(lane);
+    pair_left(lane) <= goes_on and is_front(lane);
 
     rest : process (clk)
     begin
       if rising_edge(clk) then
         idle(lane) <= not some_open(lane) and not opened(lane) and not some_wait(lane)
-          and not (is_front(lane) and (head_valid or (posed(lane) and not has_pose)));
+          and not (is_front(lane) and (head_valid or next_valid or (posed(lane) and not has_pose)));
       end if;
     end process rest;
   end generate each_lane;
   reads <= '1' when some_wait(to_integer(unsigned(oldest))) = '1'
-    or (front_lane = unsigned(oldest) and (head_valid = '1' or of_front /= 0))
+    or (front_lane = unsigned(oldest) and ((head_valid or next_valid) = '1' or of_front /= 0))
     or (front_lane /= unsigned(oldest) and some_of_last = '1') else '0';
 
   remember : process (clk)
@@ -165,7 +173,13 @@ begin
         queue(to_integer(write_place)) <= pair_a & pair_b;
       end if;
       if fetches = '1' then
-        head <= queue(to_integer(fetch_place));
+        next_pair <= queue(to_integer(fetch_place));
+      end if;
+      if moves = '1' then
+        head <= pair_a & pair_b;
+        if next_valid = '1' then
+          head <= next_pair;
+        end if;
       end if;
     end if;
   end process remember;
@@ -181,8 +195,8 @@ begin
   begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
-        comes := pair_valid = '1' and full(lane) = '0' and unsigned(pair_lane) = lane;
-        goes := fetches = '1' and is_front(lane) = '1';
+        comes := (pair_valid and not full(lane)) = '1' and unsigned(pair_lane) = lane;
+        goes := (goes_on and is_front(lane)) = '1';
         if comes then
           written(lane) <= written(lane) + 1;
         end if;
@@ -220,17 +234,14 @@ begin
           full(lane) <= '0';
         end if;
         opened(lane) <= '0';
-        if (asked = '1' and is_front(lane) = '1') or (sent = '1' and unsigned(oldest) = lane) then
+        if (asked = '1' and is_front(lane) = '1') or (sent and oldest_flags(lane)) = '1' then
           opened(lane) <= '1';
         end if;
         dropped_one(lane) <= '0';
         if triangles_of = lane then
           dropped_one(lane) <= dropped;
         end if;
-        answered_one(lane) <= '0';
-        if unsigned(oldest) = lane then
-          answered_one(lane) <= answered;
-        end if;
+        answered_one(lane) <= answered and oldest_flags(lane);
         change := 0;
         if opened(lane) = '1' then
           change := change + 1;
@@ -255,8 +266,13 @@ begin
           some_open(lane) <= '0';
         end if;
       end loop;
-      if fetches = '1' or head_leaves = '1' then
-        head_valid <= fetches;
+      if moves = '1' then
+        head_valid <= next_valid or passes;
+      end if;
+      next_valid <= fetches or (next_valid and not moves);
+      if front_ending = '1' then
+        head_valid <= '0';
+        next_valid <= '0';
       end if;
       left_of_last := of_last;
       left_of_front := of_front;
@@ -298,12 +314,12 @@ begin
         left_of_front := (others => '0');
         some_of_last <= '0';
         front_lane <= unsigned(oldest);
-        is_front <= nobody;
-        is_front(to_integer(unsigned(oldest))) <= '1';
+        is_front <= oldest_flags;
         triangles_of <= unsigned(oldest);
         has_pose <= '0';
         advances <= '0';
         head_valid <= '0';
+        next_valid <= '0';
       end if;
       of_last <= left_of_last;
       of_front <= left_of_front;

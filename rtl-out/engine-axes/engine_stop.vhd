@@ -21,10 +21,11 @@ entity engine_stop is
     job_query : in std_logic;
     job_number : in std_logic_vector(23 downto 0);
     job_taken : in std_logic;
-    job_lane : in unsigned(lane_bits - 1 downto 0);  -- that it gets
+    job_flags : in std_logic_vector(lanes - 1 downto 0);  -- a flag for each lane: it gets that one
     stop : in std_logic;
     stop_number : in std_logic_vector(23 downto 0);
     oldest : in unsigned(lane_bits - 1 downto 0);
+    oldest_flags : in std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
     counting : in std_logic_vector(lanes - 1 downto 0);  -- lanes with a query that is not reported yet
     retire : in std_logic;  -- the oldest query is done
     number : out std_logic_vector(23 downto 0);  -- of the oldest
@@ -41,6 +42,7 @@ architecture rtl of engine_stop is
   signal same_job : std_logic;
   signal same_job_before : std_logic := '0';
   signal same : flags := (others => '0');  -- lanes whose number it is
+  signal moved : flags := (others => '0');  -- lanes that got a job a clock ago: its number is told by same_job_before
   signal found : flags := (others => '0');  -- lanes with such a query
   signal found_job : std_logic := '0';  -- the job that waits has it
   signal first : flags;  -- the oldest of those lanes
@@ -73,13 +75,16 @@ begin
         if numbers(lane) = stop_number then
           same(lane) <= '1';
         end if;
+        moved(lane) <= job_taken and job_flags(lane);
         found(lane) <= due and same(lane) and counting(lane) and not forgotten;
-        if job_taken = '1' and job_lane = lane then
+        if moved(lane) = '1' then
+          found(lane) <= due and same_job_before and counting(lane) and not forgotten;
+        end if;
+        if job_taken = '1' and job_flags(lane) = '1' then
           numbers(lane) <= job_number;
-          same(lane) <= same_job;
           found(lane) <= due and same_job_before and not forgotten;
         end if;
-        if forget = '1' and oldest = lane then
+        if forget = '1' and oldest_flags(lane) = '1' then
           numbers(lane) <= forget_number;
         end if;
       end loop;
@@ -97,10 +102,10 @@ begin
       waiting_stopped <= job_stopped and not job_taken and not forgotten;
       for lane in 0 to lanes - 1 loop
         stopped_now(lane) <= (stopped_now(lane) or first(lane)) and not forgotten;
-        if job_taken = '1' and job_lane = lane then
+        if job_taken = '1' and job_flags(lane) = '1' then
           stopped_now(lane) <= job_stopped and not forgotten;
         end if;
-        if retire = '1' and oldest = lane then
+        if retire = '1' and oldest_flags(lane) = '1' then
           stopped_now(lane) <= '0';
         end if;
       end loop;

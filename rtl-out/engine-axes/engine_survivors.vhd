@@ -58,11 +58,10 @@ architecture rtl of engine_survivors is
   signal node_written : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal node_read : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal node_count : unsigned(flight_bits downto 0) := (others => '0');
-  signal nodes_wait : std_logic;
+  signal nodes_wait : std_logic := '0';
   signal next_nodes : node_record;
   signal next_leaf : std_logic_vector(3 downto 0);  -- which of its children are leaves
   signal next_node_lane : unsigned(lane_bits - 1 downto 0);
-  signal nodes_free : std_logic;
 
   -- The same of pairs of leaves.
   subtype leaf_record is std_logic_vector(115 downto 0);
@@ -72,7 +71,7 @@ architecture rtl of engine_survivors is
   signal leaf_written : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal leaf_read : unsigned(flight_bits - 1 downto 0) := (others => '0');
   signal leaf_count : unsigned(flight_bits downto 0) := (others => '0');
-  signal leaves_wait : std_logic;
+  signal leaves_wait : std_logic := '0';
   signal next_leaves : leaf_record;
   signal next_leaf_lane : unsigned(lane_bits - 1 downto 0);
   signal leaves_free : std_logic;
@@ -92,7 +91,8 @@ architecture rtl of engine_survivors is
   signal family : std_logic_vector(119 downto 0) := (others => '0');
   signal left_over : std_logic_vector(3 downto 0) := "0000";
   signal pick : std_logic_vector(3 downto 0);
-  signal last_pick : std_logic;
+  signal last_pick : std_logic := '1';  -- what is picked is all that is left over, with what goes with it, or there is no record
+  signal nodes_come : std_logic;  -- the next record is there
   signal joins_a : std_logic_vector(1 downto 0) := "00";  -- bit q: both children of A are leaves, child q of B is none
   signal joins_b : std_logic_vector(1 downto 0) := "00";
   signal joined_a : std_logic;  -- both leaves meet the same inner node, and go as one pair
@@ -121,12 +121,10 @@ begin
   met_leaf_record <= met_leaves & met_family(117 downto 90) & met_family(87 downto 60) & met_family(57 downto 30) & met_family(27 downto 0);
 
   -- A record goes into its queue if it is not the first.
-  nodes_wait <= '0' when node_count = 0 else '1';
-  nodes_free <= last_pick or not opened;
+  nodes_come <= nodes_wait or brings_nodes;
   next_nodes <= node_memory(to_integer(node_read)) when nodes_wait = '1' else met_node_record;
   next_leaf <= next_nodes(entry_bits + 119) & next_nodes(entry_bits + 89) & next_nodes(entry_bits + 59) & next_nodes(entry_bits + 29);
   next_node_lane <= node_lanes(to_integer(node_read)) when nodes_wait = '1' else met_lane;
-  leaves_wait <= '0' when leaf_count = 0 else '1';
   leaves_free <= last_sent or not some_leaves;
   next_leaves <= leaf_memory(to_integer(leaf_read)) when leaves_wait = '1' else met_leaf_record;
   next_leaf_lane <= leaf_lanes(to_integer(leaf_read)) when leaves_wait = '1' else met_lane;
@@ -164,19 +162,27 @@ begin
         node_written <= (others => '0');
         node_read <= (others => '0');
         node_count <= (others => '0');
+        nodes_wait <= '0';
         leaf_written <= (others => '0');
         leaf_read <= (others => '0');
         leaf_count <= (others => '0');
+        leaves_wait <= '0';
       else
-        if brings_nodes = '1' and (nodes_wait = '1' or nodes_free = '0') then
+        if brings_nodes = '1' and (nodes_wait = '1' or last_pick = '0') then
           node_written <= node_written + 1;
         end if;
-        if nodes_wait = '1' and nodes_free = '1' then
+        if nodes_wait = '1' and last_pick = '1' then
           node_read <= node_read + 1;
         end if;
         node_count <= node_more;
-        if nodes_free = '1' then
+        nodes_wait <= '0';
+        if last_pick = '1' then
           node_count <= node_left;
+          if node_left /= 0 then
+            nodes_wait <= '1';
+          end if;
+        elsif node_more /= 0 then
+          nodes_wait <= '1';
         end if;
         if brings_leaves = '1' and (leaves_wait = '1' or leaves_free = '0') then
           leaf_written <= leaf_written + 1;
@@ -185,8 +191,14 @@ begin
           leaf_read <= leaf_read + 1;
         end if;
         leaf_count <= leaf_more;
+        leaves_wait <= '0';
         if leaves_free = '1' then
           leaf_count <= leaf_left;
+          if leaf_left /= 0 then
+            leaves_wait <= '1';
+          end if;
+        elsif leaf_more /= 0 then
+          leaves_wait <= '1';
         end if;
       end if;
     end if;
@@ -202,16 +214,17 @@ begin
   gone(2) <= pick(2) or (pick(3) and joins_b(1) and left_over(2));
   gone(1) <= pick(1) or (pick(3) and joins_a(1) and left_over(1));
   gone(0) <= pick(0) or (((pick(2) and joins_a(0)) or (pick(1) and joins_b(0))) and left_over(0));
-  -- What is picked is all that is left over, with what goes with it.
-  last_pick <= '1' when left_over = "0000" or left_over = "0001" or left_over = "0010" or left_over = "0100" or left_over = "1000" else
-    joins_a(1) when left_over = "1010" else
-    joins_a(0) when left_over = "0101" else
-    joins_b(1) when left_over = "1100" else
-    joins_b(0) when left_over = "0011" else '0';
 
   choose : process (clk)
+    variable next_left : std_logic_vector(3 downto 0);
+    variable next_joins_a : std_logic_vector(1 downto 0);
+    variable next_joins_b : std_logic_vector(1 downto 0);
+    variable next_last : std_logic;
   begin
     if rising_edge(clk) then
+      next_left := left_over and not gone;
+      next_joins_a := joins_a;
+      next_joins_b := joins_b;
       survived_lane <= std_logic_vector(met_lane);
       survived <= "000";
       if met = '1' then
@@ -235,21 +248,37 @@ begin
       whole_b <= joined_b;
       parents <= own;
       next_level <= std_logic_vector(unsigned(own(entry_level)) + 1);
-      if nodes_free = '1' then
+      if last_pick = '1' then
+        next_left := next_nodes(entry_bits + 123 downto entry_bits + 120);
+        next_joins_a(0) := next_leaf(3) and next_leaf(2) and not next_leaf(0);
+        next_joins_a(1) := next_leaf(3) and next_leaf(2) and not next_leaf(1);
+        next_joins_b(0) := next_leaf(1) and next_leaf(0) and not next_leaf(2);
+        next_joins_b(1) := next_leaf(1) and next_leaf(0) and not next_leaf(3);
         own <= next_nodes(entry_bits - 1 downto 0);
         family <= next_nodes(entry_bits + 119 downto entry_bits);
-        joins_a(0) <= next_leaf(3) and next_leaf(2) and not next_leaf(0);
-        joins_a(1) <= next_leaf(3) and next_leaf(2) and not next_leaf(1);
-        joins_b(0) <= next_leaf(1) and next_leaf(0) and not next_leaf(2);
-        joins_b(1) <= next_leaf(1) and next_leaf(0) and not next_leaf(3);
-        left_over <= next_nodes(entry_bits + 123 downto entry_bits + 120);
         own_lane <= next_node_lane;
-        opened <= nodes_wait or brings_nodes;
-      else
-        left_over <= left_over and not gone;
+        opened <= nodes_come;
       end if;
+      -- Known a clock before, because much waits for it.
+      next_last := '0';
+      if next_left = "0000" or next_left = "0001" or next_left = "0010" or next_left = "0100" or next_left = "1000" then
+        next_last := '1';
+      elsif next_left = "1010" then
+        next_last := next_joins_a(1);
+      elsif next_left = "0101" then
+        next_last := next_joins_a(0);
+      elsif next_left = "1100" then
+        next_last := next_joins_b(1);
+      elsif next_left = "0011" then
+        next_last := next_joins_b(0);
+      end if;
+      left_over <= next_left;
+      joins_a <= next_joins_a;
+      joins_b <= next_joins_b;
+      last_pick <= next_last or (last_pick and not nodes_come);
       if reset = '1' then
         opened <= '0';
+        last_pick <= '1';
       end if;
     end if;
   end process choose;

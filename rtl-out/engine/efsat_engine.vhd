@@ -70,7 +70,6 @@ end entity efsat_engine;
 
 architecture rtl of efsat_engine is
   signal reset : std_logic;
-  signal reset_word : std_logic;  -- a soft reset by the stream
   signal forgets : std_logic;  -- a soft reset
   signal forget : std_logic := '0';  -- the same, a clock later
   signal forget_number : std_logic_vector(23 downto 0);  -- for its report
@@ -80,6 +79,7 @@ architecture rtl of efsat_engine is
   -- Jobs and the queries in flight
   signal job_valid : std_logic;
   signal job_taken : std_logic;
+  signal job_stored : std_logic;
   signal job_query : std_logic;
   signal job_posed : std_logic;
   signal job_short : std_logic;
@@ -87,11 +87,12 @@ architecture rtl of efsat_engine is
   signal job_number : std_logic_vector(23 downto 0);
   signal job_words : std_logic_vector(job_bits - 1 downto 0);
   signal job_lane : std_logic_vector(lane_bits - 1 downto 0);
+  signal job_flags : std_logic_vector(lanes - 1 downto 0);
   signal packet_valid : std_logic;  -- a pair of a packet, not of a query
   signal packet_taken : std_logic;
   signal packet_last : std_logic;
   signal stop : std_logic;
-  signal stop_number : std_logic_vector(23 downto 0);  -- of the query that a stop means, or that comes with a reset word
+  signal stop_number : std_logic_vector(23 downto 0);  -- of the query that a stop means
   signal pose_valid : std_logic;
   signal pose_ready : std_logic;
   signal busy : std_logic;
@@ -207,7 +208,7 @@ architecture rtl of efsat_engine is
   signal triangle_reads : std_logic_vector(1 downto 0);
   signal words_read : std_logic;
   signal clear : std_logic_vector(lanes - 1 downto 0);
-  signal renew : std_logic;
+  signal renew : std_logic := '1';
   signal greatest_stack : unsigned(15 downto 0);
 
   -- Memory
@@ -218,7 +219,6 @@ architecture rtl of efsat_engine is
   signal flushing : std_logic;
 begin
   reset <= not aresetn;
-  forget_number <= stop_number when reset_word = '1' else (others => '0');
   forgotten <= reset or forget;
   idle <= traverse_idle and pairs_idle;
   reads <= pairs_read or not traverse_idle(to_integer(unsigned(oldest)));
@@ -230,6 +230,7 @@ begin
       forget <= forgets and not reset;
       -- Until the unit has the pose of the query in front, none of its pairs goes on: it may be a clock late.
       leaves_only <= leaves_of(to_integer(unsigned(front)));
+      renew <= reset or retire or not running;
       restart <= reset or forgets or aborts;
     end if;
   end process keep;
@@ -259,7 +260,7 @@ begin
       pair_last => packet_last,
       stop => stop,
       forgets => forgets,
-      reset_word => reset_word,
+      forget_number => forget_number,
       stop_number => stop_number
     );
 
@@ -271,12 +272,14 @@ begin
       forget_number => forget_number,
       job_valid => job_valid,
       job_taken => job_taken,
+      job_stored => job_stored,
       job_query => job_query,
       job_posed => job_posed,
       job_short => job_short,
       job_reason => job_reason,
       job_number => job_number,
       job_lane => job_lane,
+      job_flags => job_flags,
       stop => stop,
       stop_number => stop_number,
       checked_lane => checked_lane,
@@ -317,7 +320,7 @@ begin
     port map (
       clk => aclk,
       reset => forgotten,
-      store => job_taken,
+      store => job_stored,
       store_lane => job_lane,
       job_words => job_words,
       job_query => job_query,
@@ -422,6 +425,7 @@ begin
       clk => aclk,
       reset => restart,
       oldest => oldest,
+      oldest_flags => oldest_flags,
       retire => retire,
       posed => posed,
       started => started,
@@ -510,6 +514,7 @@ begin
       reason => reason,
       number => number,
       oldest => oldest,
+      oldest_flags => oldest_flags,
       clear => clear,
       counting => counting,
       expanded => expanded,
@@ -535,10 +540,8 @@ begin
       m_axis_tready => m_axis_tready
     );
   begin_again : for lane in 0 to lanes - 1 generate
-    clear(lane) <= reset or job_taken or (abort and not counting(lane)) when unsigned(job_lane) = lane else
-      reset or abort when oldest_flags(lane) = '0' else reset;
+    clear(lane) <= reset or (job_taken and job_flags(lane)) or (abort and not oldest_flags(lane));
   end generate begin_again;
-  renew <= reset or retire or not running;
   paired <= pair_valid and pair_ready;
   starved <= volume_ready and waiting and not blocks_valid;
   stalled <= pair_valid and not pair_ready;

@@ -47,6 +47,7 @@ entity engine_answer is
     number : in std_logic_vector(23 downto 0);
     -- Counters of each lane: cleared before its query, then so many more in each clock. The report has those of the oldest.
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
+    oldest_flags : in std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
     clear : in std_logic_vector(lanes - 1 downto 0);
     counting : in std_logic_vector(lanes - 1 downto 0);  -- clocks
     expanded : in std_logic;
@@ -58,7 +59,7 @@ entity engine_answer is
     paired : in std_logic;
     paired_lane : in std_logic_vector(lane_bits - 1 downto 0);
     -- Counters of what all queries in flight do from one report to the next: one more in each clock in which the event is set.
-    renew : in std_logic;  -- they begin again
+    renew : in std_logic;  -- they begin again with what happened two clocks ago
     block_reads : in std_logic_vector(1 downto 0);  -- of A, of B
     triangles_asked : in std_logic;  -- one of A and one of B
     triangle_reads : in std_logic_vector(1 downto 0);
@@ -110,9 +111,8 @@ architecture rtl of engine_answer is
   signal one_contact : std_logic := '0';
   signal place : unsigned(2 downto 0) := "000";  -- of the next word of the report
   signal sent : std_logic := '0';
-  signal first_half : std_logic_vector(63 downto 0);  -- of the report, its word
-  signal second_half : std_logic_vector(63 downto 0);
-  signal report_word : std_logic_vector(63 downto 0);
+  type report_words is array (0 to 7) of std_logic_vector(63 downto 0);
+  signal report_word : report_words;
   signal ends : std_logic;  -- it is the last one
   signal incomplete : std_logic;
 
@@ -123,7 +123,8 @@ architecture rtl of engine_answer is
   signal tests : lane_counts := (others => (others => '0'));
   signal survivors : lane_counts := (others => (others => '0'));
   signal pairs : lane_counts := (others => (others => '0'));
-  -- Of the oldest query, a clock later: its last pair is answered after that.
+  -- Of the oldest query, two clocks later: its report comes later still.
+  signal shown : std_logic_vector(lanes - 1 downto 0) := (others => '0');
   signal clocks_now : unsigned(31 downto 0) := (others => '0');
   signal expansions_now : unsigned(31 downto 0) := (others => '0');
   signal tests_now : unsigned(31 downto 0) := (others => '0');
@@ -131,7 +132,8 @@ architecture rtl of engine_answer is
   signal pairs_now : unsigned(31 downto 0) := (others => '0');
   type counter_values is array (0 to 9) of unsigned(31 downto 0);
   signal counter : counter_values := (others => (others => '0'));
-  signal steps : std_logic_vector(9 downto 0) := (others => '0');  -- a clock later: a report comes later still
+  signal events : std_logic_vector(9 downto 0) := (others => '0');  -- a clock later: a report comes later still
+  signal steps : std_logic_vector(9 downto 0) := (others => '0');  -- and another one, because renew comes a clock later, too
   constant intersect_at : natural := 0;
   constant incorrect_at : natural := 1;
   constant blocks_a_read_at : natural := 2;
@@ -206,17 +208,14 @@ begin
   incomplete <= '0' when reason = reason_complete or (reason = reason_contact and short = '0') else '1';
   -- Each expansion asks for two blocks and each pair for two triangles: twice the count, whose highest bit is lost as every count
   -- of 32 bits begins again.
-  first_half <=
-    std_logic_vector(clocks_now) & number & incomplete & reason & "11" when place(1 downto 0) = 0 else
-    std_logic_vector(tests_now) & std_logic_vector(expansions_now) when place(1 downto 0) = 1 else
-    std_logic_vector(pairs_now) & std_logic_vector(survivors_now) when place(1 downto 0) = 2 else
-    std_logic_vector(counter(incorrect_at)) & std_logic_vector(counter(intersect_at));
-  second_half <=
-    std_logic_vector(blocks_read) & std_logic_vector(expansions_now(30 downto 0)) & '0' when place(1 downto 0) = 0 else
-    std_logic_vector(triangles_read) & std_logic_vector(counter(triangles_asked_at)(30 downto 0)) & '0' when place(1 downto 0) = 1 else
-    std_logic_vector(counter(starved_at)) & std_logic_vector(counter(words_at)) when place(1 downto 0) = 2 else
-    x"0000" & std_logic_vector(greatest_stack) & std_logic_vector(counter(stalled_at));
-  report_word <= first_half when place(2) = '0' else second_half;
+  report_word(0) <= std_logic_vector(clocks_now) & number & incomplete & reason & "11";
+  report_word(1) <= std_logic_vector(tests_now) & std_logic_vector(expansions_now);
+  report_word(2) <= std_logic_vector(pairs_now) & std_logic_vector(survivors_now);
+  report_word(3) <= std_logic_vector(counter(incorrect_at)) & std_logic_vector(counter(intersect_at));
+  report_word(4) <= std_logic_vector(blocks_read) & std_logic_vector(expansions_now(30 downto 0)) & '0';
+  report_word(5) <= std_logic_vector(triangles_read) & std_logic_vector(counter(triangles_asked_at)(30 downto 0)) & '0';
+  report_word(6) <= std_logic_vector(counter(starved_at)) & std_logic_vector(counter(words_at));
+  report_word(7) <= x"0000" & std_logic_vector(greatest_stack) & std_logic_vector(counter(stalled_at));
   ends <= '1' when place = 7 or short = '1' else '0';
   report_done <= sent;
 
@@ -225,7 +224,7 @@ begin
     if rising_edge(clk) then
       if free = '1' then
         if report_due = '1' then
-          offered_word <= report_word;
+          offered_word <= report_word(to_integer(place));
         else
           offered_word <= head_numbers & "000" & head_outside & "00" & head_verdict;
         end if;
@@ -266,19 +265,20 @@ begin
   count : process (clk)
   begin
     if rising_edge(clk) then
-      steps(intersect_at) <= '0';
+      events(intersect_at) <= '0';
       if head_verdict = certain then
-        steps(intersect_at) <= counts;
+        events(intersect_at) <= counts;
       end if;
-      steps(incorrect_at) <= counts and head_verdict(1);
-      steps(blocks_a_read_at) <= block_reads(0);
-      steps(blocks_b_read_at) <= block_reads(1);
-      steps(triangles_asked_at) <= triangles_asked;
-      steps(triangles_a_read_at) <= triangle_reads(0);
-      steps(triangles_b_read_at) <= triangle_reads(1);
-      steps(words_at) <= words_read;
-      steps(starved_at) <= starved;
-      steps(stalled_at) <= stalled;
+      events(incorrect_at) <= counts and head_verdict(1);
+      events(blocks_a_read_at) <= block_reads(0);
+      events(blocks_b_read_at) <= block_reads(1);
+      events(triangles_asked_at) <= triangles_asked;
+      events(triangles_a_read_at) <= triangle_reads(0);
+      events(triangles_b_read_at) <= triangle_reads(1);
+      events(words_at) <= words_read;
+      events(starved_at) <= starved;
+      events(stalled_at) <= stalled;
+      steps <= events;
       for lane in 0 to lanes - 1 loop
         if counting(lane) = '1' then
           clocks(lane) <= clocks(lane) + 1;
@@ -307,14 +307,18 @@ begin
           pairs(lane) <= (others => '0');
         end if;
       end loop;
-      clocks_now <= clocks(to_integer(unsigned(oldest)));
-      expansions_now <= expansions(to_integer(unsigned(oldest)));
-      tests_now <= tests(to_integer(unsigned(oldest)));
-      survivors_now <= survivors(to_integer(unsigned(oldest)));
-      pairs_now <= pairs(to_integer(unsigned(oldest)));
+      shown <= oldest_flags;
+      for lane in 0 to lanes - 1 loop
+        if shown(lane) = '1' then
+          clocks_now <= clocks(lane);
+          expansions_now <= expansions(lane);
+          tests_now <= tests(lane);
+          survivors_now <= survivors(lane);
+          pairs_now <= pairs(lane);
+        end if;
+      end loop;
       for i in 0 to 9 loop
         if renew = '1' then
-          -- What happens in this clock is the next one's.
           counter(i) <= (others => '0');
           counter(i)(0) <= steps(i);
         elsif steps(i) = '1' then

@@ -73,9 +73,10 @@ architecture rtl of engine_block_cache is
   signal looked_leaves : std_logic;
   signal judged : std_logic := '0';
   signal judged_at : unsigned(25 downto 0) := (others => '0');
-  constant tag_parts : natural := 6;
+  constant tag_parts : natural := 9;
   constant all_same : std_logic_vector(tag_parts downto 0) := (others => '1');
   signal same : std_logic_vector(tag_parts downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
+  signal same_as_before : std_logic := '0';  -- it follows a request for the same line
   signal hit : std_logic;
   signal passes : std_logic;
   signal misses : std_logic;
@@ -164,7 +165,7 @@ begin
 
   -- ===== Look-up =====
   looked_leaves <= looked and (passes or not judged);
-  hit <= '1' when same = all_same else '0';
+  hit <= '1' when same = all_same or same_as_before = '1' else '0';
   all_reserved <= reserved(reserved'high);
   passes <= judged and order_free and (hit or not (asking or all_reserved));
   misses <= passes and not hit;
@@ -204,25 +205,35 @@ begin
       if looked_leaves = '1' then
         judged_at <= looked_at;
         same <= (others => '0');
-        if follows = '1' or tag_found(2 downto 0) = std_logic_vector(looked_at(11 downto 9)) then
+        if tag_found(1 downto 0) = std_logic_vector(looked_at(10 downto 9)) then
           same(0) <= '1';
         end if;
-        if follows = '1' or tag_found(5 downto 3) = std_logic_vector(looked_at(14 downto 12)) then
+        if tag_found(3 downto 2) = std_logic_vector(looked_at(12 downto 11)) then
           same(1) <= '1';
         end if;
-        if follows = '1' or tag_found(8 downto 6) = std_logic_vector(looked_at(17 downto 15)) then
+        if tag_found(5 downto 4) = std_logic_vector(looked_at(14 downto 13)) then
           same(2) <= '1';
         end if;
-        if follows = '1' or tag_found(11 downto 9) = std_logic_vector(looked_at(20 downto 18)) then
+        if tag_found(7 downto 6) = std_logic_vector(looked_at(16 downto 15)) then
           same(3) <= '1';
         end if;
-        if follows = '1' or tag_found(14 downto 12) = std_logic_vector(looked_at(23 downto 21)) then
+        if tag_found(9 downto 8) = std_logic_vector(looked_at(18 downto 17)) then
           same(4) <= '1';
         end if;
-        if follows = '1' or tag_found(16 downto 15) = std_logic_vector(looked_at(25 downto 24)) then
+        if tag_found(11 downto 10) = std_logic_vector(looked_at(20 downto 19)) then
           same(5) <= '1';
         end if;
-        same(tag_parts) <= (follows and follows_same) or (tag_found(tag_bits) and not follows);
+        if tag_found(13 downto 12) = std_logic_vector(looked_at(22 downto 21)) then
+          same(6) <= '1';
+        end if;
+        if tag_found(15 downto 14) = std_logic_vector(looked_at(24 downto 23)) then
+          same(7) <= '1';
+        end if;
+        if tag_found(16 downto 16) = std_logic_vector(looked_at(25 downto 25)) then
+          same(8) <= '1';
+        end if;
+        same(tag_parts) <= tag_found(tag_bits) and not follows;
+        same_as_before <= follows and follows_same;
       end if;
       if misses = '1' then
         asked_address <= judged_at;

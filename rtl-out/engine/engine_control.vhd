@@ -27,12 +27,14 @@ entity engine_control is
     forget_number : in std_logic_vector(23 downto 0);
     job_valid : in std_logic;
     job_taken : out std_logic;
+    job_stored : out std_logic;  -- the same, for the memories of the queries
     job_query : in std_logic;
     job_posed : in std_logic;
     job_short : in std_logic;
     job_reason : in std_logic_vector(4 downto 0);
     job_number : in std_logic_vector(23 downto 0);
     job_lane : out std_logic_vector(lane_bits - 1 downto 0);  -- that it gets
+    job_flags : out std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
     stop : in std_logic;
     stop_number : in std_logic_vector(23 downto 0);
     -- The first words of the query that is admitted next.
@@ -85,6 +87,7 @@ architecture rtl of engine_control is
   signal is_oldest : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
   signal admitted_lane : lane_number := (others => '0');  -- that is admitted next
   signal next_lane : lane_number := (others => '0');  -- of the next job
+  signal is_next : flags := (0 => '1', others => '0');
   signal occupied : flags := (others => '0');
   signal asked : flags := (others => '0');  -- by a query, and not by another job
   signal has_pose : flags := (others => '0');
@@ -106,6 +109,8 @@ architecture rtl of engine_control is
   type phase_state is (waiting_state, take_state, check_state, flush_state);
   signal phase : phase_state := waiting_state;
   signal taken : std_logic := '0';
+  -- The same in a register of its own, because hundreds of cells are written by it: another first value keeps tools from making one of both.
+  signal stored : std_logic := '1';
   signal all_idle : std_logic;  -- a clock ago: a pair of a packet ends it two clocks before a job can come behind that
   signal idle_is_old : std_logic := '0';  -- a job was taken or the oldest query reported in the clock before: idle is of that clock
   signal job_due : std_logic;
@@ -133,7 +138,9 @@ architecture rtl of engine_control is
 begin
   all_idle <= '1' when idle = all_lanes else '0';
   job_taken <= taken;
+  job_stored <= stored;
   job_lane <= std_logic_vector(next_lane);
+  job_flags <= is_next;
   checked_lane <= std_logic_vector(admitted_lane);
   running <= running_now;
   busy <= busy_now;
@@ -165,12 +172,12 @@ begin
   -- ===== Jobs =====
   -- A query is taken beside others, another job alone.
   job_due <= job_valid and all_idle when occupied = no_lane else
-    job_valid and job_query and not occupied(to_integer(next_lane)) when (asked and is_oldest) /= no_lane else '0';
+    job_valid and job_query when (asked and is_oldest) /= no_lane and (occupied and is_next) = no_lane else '0';
   admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
-  here <= occupied and admitted and is_oldest;
+  here <= admitted and is_oldest;
   fails <= reads_before and (error_before or silent_before) and not (reporting or aborting or reset or forget)
-    when (here and started_now) /= no_lane else '0';
+    when (started_now and is_oldest) /= no_lane else '0';
 
   by_lane : for lane in 0 to lanes - 1 generate
     not_reported(lane) <= occupied(lane) and asked(lane) when reporting = '0' or is_oldest(lane) = '0' else '0';
@@ -187,10 +194,11 @@ begin
       job_query => job_query,
       job_number => job_number,
       job_taken => taken,
-      job_lane => next_lane,
+      job_flags => is_next,
       stop => stop,
       stop_number => stop_number,
       oldest => oldest_lane,
+      oldest_flags => is_oldest,
       counting => not_reported,
       retire => retires,
       number => number,
@@ -260,7 +268,8 @@ begin
         end if;
         next_lane <= next_lane + 1;
         for lane in 0 to lanes - 1 loop
-          if next_lane = lane then
+          is_next(lane) <= is_next((lane + lanes - 1) mod lanes);
+          if is_next(lane) = '1' then
             now_occupied(lane) := '1';
             now_reasons(lane) := job_reason;
             now_sound(lane) := '0';
@@ -425,8 +434,10 @@ begin
         next_is_oldest := is_oldest;
         admitted_lane <= oldest_lane;
         next_lane <= oldest_lane;
+        is_next <= is_oldest;
         if reset = '0' then
           for lane in 0 to lanes - 1 loop
+            is_next(lane) <= is_oldest((lane + lanes - 1) mod lanes);
             if is_oldest(lane) = '1' then
               now_occupied(lane) := '1';
               asked(lane) <= '0';
@@ -450,8 +461,10 @@ begin
       sound <= now_sound;
       reporting <= now_reporting;
       taken <= '0';
+      stored <= '0';
       if next_phase = take_state then
         taken <= '1';
+        stored <= '1';
       end if;
     end if;
   end process proceed;
