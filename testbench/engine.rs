@@ -1,6 +1,6 @@
 //! The collision engine's reference model on the meshes of the project, and `efsat tree`.
 
-use crate::extent::share;
+use crate::extent::{full, share};
 use crate::hierarchy::brute_force;
 use crate::tools::program::{fails, object, succeeds};
 use efsat::collide::Collider;
@@ -102,7 +102,7 @@ fn no_touching_pair_of_any_mesh_is_lost() {
     for name in ["cad_headlight.stl", "m8_bolt.stl", "m8_nut.stl"] {
         let mesh = read(&scenes().join(name)).unwrap();
         let scene = Scene::against_itself(name, mesh.clone(), 7, &[1.5, 0.4, 0.0]).unwrap();
-        for frame in share(7, [0, 1, 4, 7, 9, 15, 17]) {
+        for frame in share(7, [17, 0, 1, 4, 7, 9, 15]) {
             cases.push((format!("{name}, frame {frame}"), mesh.clone(), mesh.clone(), scene.frame(frame).poses[1]));
         }
     }
@@ -121,7 +121,7 @@ fn no_touching_pair_of_any_mesh_is_lost() {
     let wrong: Vec<&str> = all.iter().flat_map(|(_, _, wrong)| wrong).map(String::as_str).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     let (touching, queries) = all.iter().fold((0, 0), |(t, q), (touching, queries, _)| (t + touching, q + queries));
-    assert!(touching > 2_000, "{touching} pairs touch");
+    assert!(touching > if full() { 5_000 } else { 2_000 }, "{touching} pairs touch");
     assert!(queries > 3 * cases.len(), "{queries} queries of {} answered", 4 * cases.len());
 }
 

@@ -289,7 +289,7 @@ fn a_wrong_engine_is_noticed() {
         // A leaf beside an inner node becomes an inner node; its side is the other.
         ("engine_survivors.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
         // Inner nodes are joined as if they were leaves.
-        ("engine_survivors.vhd", "joins_a(0) <= next_leaf(3) and next_leaf(2) and", "joins_a(0) <=", quick),
+        ("engine_survivors.vhd", "joins_a(0) := next_leaf(3) and next_leaf(2) and", "joins_a(0) :=", quick),
         // Links that go back are taken.
         (
             "engine_children.vhd",

@@ -97,7 +97,7 @@ architecture rtl of {{ prefix }}engine_command is
 {%- if e.block_ram %}
   constant is_load : natural := 7;
 {%- endif %}
-  constant is_job : natural := {{ e.query.kinds }} - 1;  -- what has to have a place for its job: all but the header of a query with words behind it
+  constant is_job : natural := {{ e.query.kinds }} - 1;  -- what waits while a job does: all but the header of a query with words behind it
   constant kinds : natural := {{ e.query.kinds }};
 {% include "engine/held_signals.vhd" %}
   signal ready : std_logic;
@@ -184,7 +184,7 @@ begin
   -- ===== Packets =====
   -- A packet begins when its job has a place to go, and pairs when everything before them is done. The header of a query goes
   -- nowhere: its words wait for the register.
-  waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and {% if e.block_ram %}(head_kind(is_load) or head_kind(is_pairs)){% else %}head_kind(is_pairs){% endif %});
+  waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and ({% if e.block_ram %}head_kind(is_load) or {% endif %}head_kind(is_pairs)));
   taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when at_header = '1' else
     head_valid and not occupied and not holds;
   holds <= pending and not job_taken;
@@ -339,9 +339,6 @@ begin
             next_expectation := skip_state;
           end if;
         elsif expectation = query_state then
-          if at_end = '1' then
-            gathers <= '0';
-          end if;
           if fault = fine then
             if head_whole = '0' then
               found := too_short;

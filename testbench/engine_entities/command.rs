@@ -402,13 +402,14 @@ fn command(entity: &mut Entity) -> Outcome {
         // Something runs from the job on; what is below depends on it.
         let (job, pair) = (entity.is("job_valid"), entity.is("pair_valid"));
         let held = matches!(packets.due.front(), Some((_, Work::Job { stops: first, .. })) if stops < *first);
-        let soft = seldom(&mut packets.rng, if clock % 2000 < 1000 { 100 } else { 1000 });
+        let soft = seldom(&mut packets.rng, if clock % 2000 < 1000 || hold > 25 { 100 } else { 1000 });
         let is_reset = word
             .is_some_and(|(word, whole, last)| first && whole && last && packets.format.is_order(Command::Reset, word));
         // One that waits behind words of a query waits for the job before them.
         hold = if is_reset && !seen { 30 } else { hold.saturating_sub(1) };
         seen = is_reset;
-        let soft = soft && hold == 0;
+        // Also in the clock in which such a word is taken.
+        let soft = soft && (hold == 0 || hold > 25);
         let takes_job = job && working == 0 && !held && !soft && hold == 0 && seldom(&mut packets.rng, 3);
         let takes_pair = pair && !soft && hold == 0 && seldom(&mut packets.rng, 3);
         for (port, value) in
@@ -486,6 +487,7 @@ fn every_packet_becomes_what_it_is() {
             "when s_axis_tdata(39 downto 0) = reset_header else '0';\n  kind(is_long",
             "when s_axis_tdata(31 downto 0) = reset_header(31 downto 0) else '0';\n  kind(is_long",
         ),
+        ("if (reset_taken and not soft_reset) = '1' then", "if reset_taken = '1' then"),
         ("clears <= reset or soft_reset or reset_taken;", "clears <= reset or soft_reset;"),
         ("clears <= reset or soft_reset or reset_taken;", "clears <= reset or reset_taken;"),
         ("(soft_reset and stays_within and not reset)", "(soft_reset and within_packet and not reset)"),

@@ -314,6 +314,7 @@ impl Control<'_> {
             ("counting", self.flags(|lane| lane.job.query && !front(lane), false)),
             ("oldest", self.oldest as u64),
             ("oldest_flags", 1 << self.oldest),
+            ("job_stored", self.entity.is("job_taken").into()),
             ("job_flags", 1 << self.entity.get("job_lane")),
             ("running", u64::from(!self.lanes.is_empty())),
             ("report_due", self.reporting.into()),
@@ -516,6 +517,9 @@ fn jobs_are_checked_and_run_and_reported() {
             "            now_reasons(lane) := fine;",
         ),
         ("numbers(lane) <= forget_number;", "numbers(lane) <= job_number;"),
+        ("stored <= '1';", "stored <= '0';"),
+        // A stop for a query that was taken a clock ago is for the one before it in its lane.
+        ("if moved(lane) = '1' then", "if false then"),
         // Behind a soft reset, the flag of the next job is another one than its lane.
         ("is_next(lane) <= is_oldest((lane + lanes - 1) mod lanes);", "is_next(lane) <= is_oldest(lane);"),
     ];

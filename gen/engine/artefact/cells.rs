@@ -233,7 +233,7 @@ impl Sheet<'_> {
     fn answer(&self) -> Entity {
         let (lanes, lane_bits) = (self.design.params.queries, self.design.params.lane_bits());
         let flip_flops =
-            215 + 2 * lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
+            205 + 2 * lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
         let luts = self.of([857, 1012, 795]) + lanes * self.of([40, 130, 4]);
         // Each bit of a count is chosen among more lanes than a table has inputs for.
         let luts = luts + u32::from(lanes > 4) * 5 * 32 * self.of([2, 0, 2]);
