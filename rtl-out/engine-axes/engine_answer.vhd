@@ -59,7 +59,7 @@ entity engine_answer is
     paired : in std_logic;
     paired_lane : in std_logic_vector(lane_bits - 1 downto 0);
     -- Counters of what all queries in flight do from one report to the next: one more in each clock in which the event is set.
-    renew : in std_logic;  -- they begin again with what happened two clocks ago
+    renew : in std_logic;  -- they begin again with what happened a clock ago: the two clocks before that are in no report
     block_reads : in std_logic_vector(1 downto 0);  -- of A, of B
     triangles_asked : in std_logic;  -- one of A and one of B
     triangle_reads : in std_logic_vector(1 downto 0);
@@ -123,7 +123,7 @@ architecture rtl of engine_answer is
   signal tests : lane_counts := (others => (others => '0'));
   signal survivors : lane_counts := (others => (others => '0'));
   signal pairs : lane_counts := (others => (others => '0'));
-  -- Of the oldest query, two clocks later: its report comes later still.
+  -- Of the oldest query, a clock later, and which one that is another clock later: not later than its report.
   signal shown : std_logic_vector(lanes - 1 downto 0) := (others => '0');
   signal clocks_now : unsigned(31 downto 0) := (others => '0');
   signal expansions_now : unsigned(31 downto 0) := (others => '0');
@@ -132,8 +132,7 @@ architecture rtl of engine_answer is
   signal pairs_now : unsigned(31 downto 0) := (others => '0');
   type counter_values is array (0 to 9) of unsigned(31 downto 0);
   signal counter : counter_values := (others => (others => '0'));
-  signal events : std_logic_vector(9 downto 0) := (others => '0');  -- a clock later: a report comes later still
-  signal steps : std_logic_vector(9 downto 0) := (others => '0');  -- and another one, because renew comes a clock later, too
+  signal steps : std_logic_vector(9 downto 0) := (others => '0');  -- a clock later: a report comes later still
   constant intersect_at : natural := 0;
   constant incorrect_at : natural := 1;
   constant blocks_a_read_at : natural := 2;
@@ -265,20 +264,19 @@ begin
   count : process (clk)
   begin
     if rising_edge(clk) then
-      events(intersect_at) <= '0';
+      steps(intersect_at) <= '0';
       if head_verdict = certain then
-        events(intersect_at) <= counts;
+        steps(intersect_at) <= counts;
       end if;
-      events(incorrect_at) <= counts and head_verdict(1);
-      events(blocks_a_read_at) <= block_reads(0);
-      events(blocks_b_read_at) <= block_reads(1);
-      events(triangles_asked_at) <= triangles_asked;
-      events(triangles_a_read_at) <= triangle_reads(0);
-      events(triangles_b_read_at) <= triangle_reads(1);
-      events(words_at) <= words_read;
-      events(starved_at) <= starved;
-      events(stalled_at) <= stalled;
-      steps <= events;
+      steps(incorrect_at) <= counts and head_verdict(1);
+      steps(blocks_a_read_at) <= block_reads(0);
+      steps(blocks_b_read_at) <= block_reads(1);
+      steps(triangles_asked_at) <= triangles_asked;
+      steps(triangles_a_read_at) <= triangle_reads(0);
+      steps(triangles_b_read_at) <= triangle_reads(1);
+      steps(words_at) <= words_read;
+      steps(starved_at) <= starved;
+      steps(stalled_at) <= stalled;
       for lane in 0 to lanes - 1 loop
         if counting(lane) = '1' then
           clocks(lane) <= clocks(lane) + 1;

@@ -74,7 +74,7 @@ architecture rtl of engine_command is
   constant is_pose : natural := 4;
   constant is_short : natural := 5;  -- of kind 1 or 2, be it known or not
   constant is_reset : natural := 6;  -- with nothing behind it
-  constant is_job : natural := 8 - 1;  -- what has to have a place for its job: all but the header of a query with words behind it
+  constant is_job : natural := 8 - 1;  -- what waits while a job does: all but the header of a query with words behind it
   constant kinds : natural := 8;
   signal kind : std_logic_vector(kinds - 1 downto 0);
   signal running : std_logic := '0';
@@ -192,7 +192,7 @@ begin
   -- ===== Packets =====
   -- A packet begins when its job has a place to go, and pairs when everything before them is done. The header of a query goes
   -- nowhere: its words wait for the register.
-  waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and head_kind(is_pairs));
+  waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and (head_kind(is_pairs)));
   taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when at_header = '1' else
     head_valid and not occupied and not holds;
   holds <= pending and not job_taken;
@@ -314,9 +314,6 @@ begin
             next_expectation := skip_state;
           end if;
         elsif expectation = query_state then
-          if at_end = '1' then
-            gathers <= '0';
-          end if;
           if fault = fine then
             if head_whole = '0' then
               found := too_short;

@@ -109,7 +109,8 @@ architecture rtl of engine_control is
   type phase_state is (waiting_state, take_state, check_state, flush_state);
   signal phase : phase_state := waiting_state;
   signal taken : std_logic := '0';
-  -- The same in a register of its own, because hundreds of cells are written by it: another first value keeps tools from making one of both.
+  -- The same in a register of its own, because hundreds of cells are written by it. Another first value keeps tools from making one of
+  -- both; what is stored in the first clock means nothing.
   signal stored : std_logic := '1';
   signal all_idle : std_logic;  -- a clock ago: a pair of a packet ends it two clocks before a job can come behind that
   signal idle_is_old : std_logic := '0';  -- a job was taken or the oldest query reported in the clock before: idle is of that clock

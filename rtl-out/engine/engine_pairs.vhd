@@ -32,7 +32,7 @@ entity engine_pairs is
     pair_lane : in std_logic_vector(lane_bits - 1 downto 0);
     pair_a : in std_logic_vector(27 downto 0);
     pair_b : in std_logic_vector(27 downto 0);
-    pair_left : out std_logic_vector(lanes - 1 downto 0);  -- one leaves the queue of the lane
+    pair_left : out std_logic_vector(lanes - 1 downto 0);  -- one leaves the queue of the lane, or passes by it
     -- Triangles, those of the front lane.
     front : out std_logic_vector(lane_bits - 1 downto 0);
     request_valid : out std_logic;
@@ -77,7 +77,7 @@ architecture rtl of engine_pairs is
   signal accepts : std_logic;
   signal passes : std_logic;  -- it is the next one of the front lane, and passes by its queue
   signal fetches : std_logic;
-  signal goes_on : std_logic;  -- one is fetched, or passes: that comes and goes in the same clock
+  signal goes_on : std_logic;  -- one is fetched, or one passes, which comes and goes in one clock
   -- The first pair of the front lane, and the one behind it: a memory is far from where its word goes.
   signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal is_front : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
@@ -117,7 +117,7 @@ architecture rtl of engine_pairs is
 begin
   write_place <= unsigned(pair_lane) & written(to_integer(unsigned(pair_lane)));
   fetch_place <= front_lane & fetched(to_integer(front_lane));
-  passes <= pair_valid and is_front(to_integer(unsigned(pair_lane))) and moves and not (front_waits or front_ending or next_valid);
+  passes <= pair_valid and is_front(to_integer(unsigned(pair_lane))) and moves and not (front_waits or next_valid);
   accepts <= pair_valid and not full(to_integer(unsigned(pair_lane)));
   pair_ready <= not full(to_integer(unsigned(pair_lane)));
   front_ending <= '0' when (ending and is_front) = nobody else '1';
@@ -128,7 +128,8 @@ begin
   request_a <= head(55 downto 28);
   request_b <= head(27 downto 0);
   moves <= request_ready or not head_valid;
-  fetches <= front_waits and not front_ending and (moves or not next_valid);
+  -- What an ending query fetches here is forgotten in the same clock.
+  fetches <= front_waits and (moves or not next_valid);
   goes_on <= fetches or passes;
   front <= std_logic_vector(front_lane);
 

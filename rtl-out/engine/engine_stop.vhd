@@ -42,7 +42,7 @@ architecture rtl of engine_stop is
   signal same_job : std_logic;
   signal same_job_before : std_logic := '0';
   signal same : flags := (others => '0');  -- lanes whose number it is
-  signal moved : flags := (others => '0');  -- lanes that got a job a clock ago: its number is told by same_job_before
+  signal moved : flags := (others => '0');  -- lanes that got a job a clock ago: same_job_before says whether its number is meant
   signal found : flags := (others => '0');  -- lanes with such a query
   signal found_job : std_logic := '0';  -- the job that waits has it
   signal first : flags;  -- the oldest of those lanes
