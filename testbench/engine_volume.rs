@@ -230,6 +230,7 @@ fn the_printed_vhdl_answers_as_the_reference_model() {
 
 /// The test notices mistakes in the text.
 #[test]
+#[ignore = "mistakes in the text, each compiled: scripts/test full"]
 fn mistakes_in_the_text_are_noticed() {
     let design = VolumeDesign::new(&EngineParams::default(), &Params::default()).unwrap();
     let stimulus = VolumeStimulus::random(&design.format, 150, 5);

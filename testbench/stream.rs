@@ -128,6 +128,7 @@ fn answers_equal_the_reference_models() {
 }
 
 #[test]
+#[ignore = "mistakes in the wrapper, each compiled: scripts/test full"]
 fn a_wrong_wrapper_is_noticed() {
     let Some(ghdl) = ghdl() else { return };
     let params = small();
@@ -182,6 +183,7 @@ fn a_wrong_wrapper_is_noticed() {
 }
 
 #[test]
+#[ignore = "mistakes in the wrapper, each compiled: scripts/test full"]
 fn a_wrapper_that_loses_the_flag_of_the_guard_is_noticed() {
     let Some(ghdl) = ghdl() else { return };
     // Wide enough for definite verdicts, which are what there is to lose.

@@ -34,10 +34,11 @@ fn mismatches(params: &Params, count: usize, netlist: Netlist) -> Option<u64> {
 }
 
 #[test]
+#[ignore = "compiles a netlist; engine_clocks:: compiles another on every change: scripts/test full"]
 fn netlists_answer_as_the_reference_model() {
     let other = Params {
-        width: 9,
-        transform_width: 11,
+        width: 12,
+        transform_width: 14,
         upper: efsat::params::Upper::Sticky,
         transform: Transform::Translate,
         axes_per_clock: 2,
