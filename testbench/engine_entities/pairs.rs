@@ -231,7 +231,10 @@ fn pairs_are_asked_for_in_order_and_counted() {
         ("may_advance and not advances and not ends_front;", "may_advance and not ends_front;"),
         ("may_advance and not advances and not ends_front;", "may_advance and not advances;"),
         ("drops <= ending(to_integer(triangles_of));", "drops <= front_ending;"),
-        ("answered_one(lane) <= answered and oldest_flags(lane);", "answered_one(lane) <= answered and is_front(lane);"),
+        (
+            "answered_one(lane) <= answered and oldest_flags(lane);",
+            "answered_one(lane) <= answered and is_front(lane);",
+        ),
         // Of the two pairs that are held one is lost, or forgotten when the front moves on.
         ("next_valid <= fetches or (next_valid and not moves);", "next_valid <= fetches;"),
         ("and advance_free and not (head_valid or next_valid)", "and advance_free and not head_valid"),
