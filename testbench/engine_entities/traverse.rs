@@ -487,7 +487,7 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("lives and many and", "lives and filled and"),
         ("many and not few_left and", "many and"),
         // A younger query takes more than the queue of its leaf pairs has room for, or goes in front of the oldest.
-        ("(pair_change - 4)", "(pair_change - 2)"),
+        ("+ pairs_freed - 4)", "+ pairs_freed - 2)"),
         ("or not (pair_room(pair_room_bits - 1) or crowded));", "or not crowded);"),
         ("or not (pair_room(pair_room_bits - 1) or crowded));", "or not pair_room(pair_room_bits - 1));"),
     ];

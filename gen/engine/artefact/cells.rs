@@ -299,7 +299,7 @@ impl Sheet<'_> {
     /// Room of both kinds, pairs in flight and expansions that are left.
     fn lane(&self) -> Entity {
         let t = &self.values.traversal;
-        let flip_flops = t.room_bits + t.pair_room_bits + t.flight_bits + 55;
+        let flip_flops = t.room_bits + t.pair_room_bits + t.flight_bits + 60;
         let sums = self.of([3, 2, 3]);
         let chains = [(1, 32), (sums, t.room_bits), (sums, t.pair_room_bits), (2, t.flight_bits + 2)];
         let luts = (13 * t.room_bits + 14 * t.pair_room_bits) / 3 + 4 * (t.flight_bits + 2) + t.entry_bits;
@@ -310,7 +310,7 @@ impl Sheet<'_> {
     fn issue(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, lane, flight) = (params.queries, params.lane_bits(), t.flight_bits);
-        let flip_flops = lanes + 2 * params.block_number_bits + 3 * lane + 11 + 2 * flight + 16;
+        let flip_flops = lanes + 2 * params.block_number_bits + 3 * lane + 11 + 2 * flight + 15;
         let chains = [(1, 32), (4, flight + 2)];
         let bits = t.entry_bits + 16;
         // The top of a stack is chosen among more lanes than a table has inputs for.
