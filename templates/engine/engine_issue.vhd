@@ -199,10 +199,10 @@ begin
       if leaves_finished = '1' then
         more := more - 1;
       end if;
-      records <= to_signed(more, 3);
       if reset = '1' then
-        records <= "000";
+        more := 0;
       end if;
+      records <= to_signed(more, 3);
       steady := unsigned(signed(flying) + records);
       if reset = '1' then
         flying <= (others => '0');

@@ -10,13 +10,13 @@
 -- at most 3 ({{ e.traversal.levels }} - l) + 1 entries above what lay below it, and entries of level {{ e.traversal.levels }} push nothing:
 -- used <= {{ e.traversal.wide }} + 3 x {{ e.traversal.levels }} + 1 = {{ e.traversal.stack }} at all times.
 --
--- The oldest query comes first. A younger one pops only what the queue of its leaf pairs has room for, even if each of its
--- pairs in flight sends four: so none waits for that queue in front of the oldest query's. And it pops only while few pairs
--- wait for their blocks, so that those of the oldest do not wait behind many.
+-- The oldest query comes first. While a queue of leaf pairs is full no pair comes into any. So a younger query pops only what its
+-- queue has room for, even if each of its pairs in flight sends four, and never fills it, as there are 3 places more (below). And it
+-- pops only while few pairs wait for their blocks, so that those of the oldest do not wait behind many.
 --
 -- The lane is chosen in one clock (engine_issue) and its pair popped in a later one, and what frees room is counted a clock late.
 -- Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted, while a record has sent three of its four:
--- so the lane is chosen only if there are 3 places more than the rule asks for. Right behind a pop of its own the lane pops only if
+-- so the lane is chosen only if there are 3 places more than the rules ask for. Right behind a pop of its own the lane pops only if
 -- there is plenty.
 --------------------------------------------------------------------------------
 library ieee;
@@ -175,6 +175,11 @@ begin
       elsif (met and not brings_nodes and not brings_leaves) = '1' then
         more := more - 1;
       end if;
+      if reset = '1' or start = '1' then
+        change := 0;
+        pair_change := 0;
+        more := 0;
+      end if;
       freed <= to_signed(change, 5);
       pairs_freed <= to_signed(pair_change, 5);
       records <= to_signed(more, 3);
@@ -194,9 +199,6 @@ begin
       if reset = '1' or start = '1' then
         room <= unsigned(to_signed(wide - 6, room_bits));
         pair_room <= to_unsigned(pairs - 7, pair_room_bits);
-        freed <= (others => '0');
-        pairs_freed <= (others => '0');
-        records <= (others => '0');
         flying <= (others => '0');
         nothing_flies <= '1';
       else

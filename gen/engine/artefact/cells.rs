@@ -233,11 +233,11 @@ impl Sheet<'_> {
     fn answer(&self) -> Entity {
         let (lanes, lane_bits) = (self.design.params.queries, self.design.params.lane_bits());
         let flip_flops =
-            205 + 2 * lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
+            210 + 2 * lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
         let luts = self.of([857, 1012, 795]) + lanes * self.of([40, 130, 4]);
         // Each bit of a count is chosen among more lanes than a table has inputs for.
         let luts = luts + u32::from(lanes > 4) * 5 * 32 * self.of([2, 0, 2]);
-        self.entity("engine_answer", flip_flops, &[], &[(5 * lanes + 12, 32), (1, 3)], luts)
+        self.entity("engine_answer", flip_flops, &[], &[(5 * lanes + 12, 32)], luts)
     }
 
     /// The words of a query, of which one is shifted at a time.
@@ -377,7 +377,7 @@ impl Sheet<'_> {
     fn pairs(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, place, open) = (params.queries, t.pair_bits, t.open_bits);
-        let flip_flops = lanes * (3 * place + open + 9) + 3 * params.lane_bits() + 2 * open + 5 + PAIR_BITS;
+        let flip_flops = lanes * (3 * place + open + 10) + 3 * params.lane_bits() + 2 * open + 7 + 2 * PAIR_BITS;
         let luts = self.of([2, 63, 17])
             + lanes * (place + 2 * open + self.of([37, 30, 29]))
             + 5 * open

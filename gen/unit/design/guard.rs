@@ -82,8 +82,46 @@ impl<'l, 'p> Guards<'l, 'p> {
         busy: &[bool],
         (name, at): (&str, Option<usize>),
     ) -> [Number<Sig<'l>>; N] {
+        let (passed, flags) = self.behind(numbers, bound, (name, at));
+        for flag in flags {
+            if busy.is_empty() {
+                self.of_pair.borrow_mut().push(flag);
+            } else {
+                self.of_phases.borrow_mut().push((busy.to_vec(), flag));
+            }
+        }
+        passed
+    }
+
+    /// The same of numbers that count with a flag alone, as nothing of them is used without it.
+    pub fn guarded_if<const N: usize>(
+        &self,
+        used: Sig<'l>,
+        numbers: [Number<Sig<'l>>; N],
+        bound: i128,
+        (name, at): (&str, Option<usize>),
+    ) -> [Number<Sig<'l>>; N] {
+        let (passed, flags) = self.behind(numbers, bound, (name, at));
+        if !flags.is_empty() {
+            let counts = any(&flags) & used;
+            let what = format!("{name}_used_outside");
+            self.of_pair.borrow_mut().push(match at {
+                Some(k) => counts.named_at(&what, k),
+                None => counts.named(&what),
+            });
+        }
+        passed
+    }
+
+    /// The numbers behind guards, and what those say, which is nothing in a unit without them.
+    fn behind<const N: usize>(
+        &self,
+        numbers: [Number<Sig<'l>>; N],
+        bound: i128,
+        (name, at): (&str, Option<usize>),
+    ) -> ([Number<Sig<'l>>; N], Vec<Sig<'l>>) {
         if !self.p.has_guards() {
-            return numbers;
+            return (numbers, vec![]);
         }
         let entity = if bound == self.p.coordinate_bound() { "guard_coordinate" } else { "guard_translation" };
         let guarded = numbers.map(|number| guard(entity, number, bound));
@@ -91,15 +129,9 @@ impl<'l, 'p> Guards<'l, 'p> {
             Some(k) => signals.named_at(&format!("{name}_{what}"), k),
             None => signals.named(&format!("{name}_{what}")),
         };
-        for flag in named(guarded.map(|g| g.1), "outside") {
-            if busy.is_empty() {
-                self.of_pair.borrow_mut().push(flag);
-            } else {
-                self.of_phases.borrow_mut().push((busy.to_vec(), flag));
-            }
-        }
+        let flags = named(guarded.map(|g| g.1), "outside").to_vec();
         named(guarded.map(|g| g.0.lo), "inside");
-        guarded.map(|g| g.0)
+        (guarded.map(|g| g.0), flags)
     }
 
     /// More flags that say once per pair that it is outside.

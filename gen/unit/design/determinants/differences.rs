@@ -31,19 +31,18 @@ pub(in super::super) fn points<'l>(u: Top<'l>, p: &Params, guards: &Guards<'l, '
     let of_b = match &inputs.pose {
         None => w.map(|w| w - origin),
         Some(pose) => {
-            let unless_bypass = |x: Number<Sig<'l>>| {
-                let lo = pose.bypass.choose(x.lo.like(0), x.lo);
-                Number { lo, ..x }
-            };
-            let t = guarded(pose.t.map(unless_bypass), p.translation_bound(), ("pose_t", None));
+            let t = pose.t.map(|t| Number { lo: pose.bypass.choose(t.lo.like(0), t.lo), ..t });
+            let t = guarded(t, p.translation_bound(), ("pose_t", None));
             let moved = (t - origin).named("moved").comment("t - V0, or - V0 with the bypass");
             match pose.m.filter(|_| p.transform == Transform::On) {
                 None => w.map(|w| w + moved),
                 Some(m) => {
-                    // Only a guard must not see the ports that the bypass leaves out.
-                    let read = |m: Number<Sig<'l>>| if p.has_guards() { unless_bypass(m) } else { m };
-                    let m = [0, 1, 2].map(|i| guarded(m[i].map(read), p.one(), ("pose_m", Some(i))));
-                    turned(u, p, m, w, moved, pose.bypass)
+                    let used = (!pose.bypass).named("pose_m_used");
+                    let rows = [0, 1, 2].map(|i| {
+                        let row = guards.guarded_if(used, m[i].0, p.one(), ("pose_m", Some(i)));
+                        Vec3(row).map(|number| number.lo.at_point(None))
+                    });
+                    turned(u, p, rows, w, moved, pose.bypass)
                 }
             }
         }
