@@ -108,6 +108,7 @@ fn answers_equal_the_reference_models_in_order() {
 /// A fault of memory ends the packet whose pairs it was asked for, behind the first of its answers; the packet before, whose pairs are
 /// in the unit, and the packet behind are whole. A memory that is silent ends packets until it answers.
 #[test]
+#[ignore = "compiles an engine; faults of memory end queries on every change: scripts/test full"]
 fn a_fault_of_memory_ends_one_packet() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     let (bench, crossing) = Crossing::bench(ghdl, &EngineParams { watchdog: 500, ..axi() }, &determinants());

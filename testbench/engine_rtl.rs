@@ -398,6 +398,7 @@ fn the_rule_of_the_stack_is_exact() {
 
 /// Queries about objects that the caches hold read nothing; what is emptied, or another object, is read again.
 #[test]
+#[ignore = "compiles an engine; the cache alone is tried on every change: scripts/test full"]
 fn caches_are_emptied() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     // Every block and triangle has a line of its own.

@@ -145,6 +145,7 @@ fn comparators() {
 }
 
 #[test]
+#[ignore = "proofs of ten seconds; others are made on every change: scripts/test full"]
 fn transform_and_renormalisation() {
     let mut claims = vec![];
     for params in rules(&Params::default()) {

@@ -319,7 +319,7 @@ fn a_long_packet_runs_at_the_stated_speed() {
     };
     let exact = [(Bits512, 2), (Bits1024, 1)];
     let cases = [of(Method::Axes, &axes), of(Method::Determinants, &determinants), of(Method::Exact, &exact)].concat();
-    let wrong: Vec<String> = cases
+    let wrong: Vec<String> = share(3, cases)
         .par_iter()
         .filter_map(|(params, width, period)| {
             let bench = Bench::new(ghdl, params, *width);

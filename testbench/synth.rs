@@ -200,6 +200,7 @@ fn an_engine_has_the_multipliers_of_its_units_and_fits() {
 }
 
 #[test]
+#[ignore = "Yosys for half a minute; another part is tried on every change: scripts/test full"]
 fn virtex_ii_has_the_predicted_cells() {
     if made(verilog::ghdl()).is_none() || made(yosys::find()).is_none() {
         return;

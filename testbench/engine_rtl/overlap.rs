@@ -71,6 +71,7 @@ fn queries_in_flight_together_are_answered_as_alone() {
 
 /// A memory that fails ends the oldest query alone; those behind it begin again.
 #[test]
+#[ignore = "compiles an engine; one with faults of memory runs on every change: scripts/test full"]
 fn a_fault_of_memory_ends_no_younger_query() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &EngineParams { queries: 4, ..axi() }, &small());

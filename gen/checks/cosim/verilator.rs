@@ -149,7 +149,7 @@ pub(super) fn compile(
 fn simulate(verilator: &Tool, netlist: Netlist, dir: &Path, vectors: &str) -> Result<(Run, Duration), CosimError> {
     // The code of a mapped netlist is long: its units are compiled once each, and not optimised.
     let cost = match netlist {
-        Netlist::Rtl => "-MAKEFLAGS OPT_FAST=-O2",
+        Netlist::Rtl => "-MAKEFLAGS OPT_FAST=-O1",
         Netlist::Mapped => "--inline-mult 1 -MAKEFLAGS OPT_FAST=-O0",
     };
     let program = compile(verilator, dir, TOP, NETLIST, BENCH, cost)?;

@@ -221,7 +221,7 @@ impl Machine {
         write(NETLIST, &verilog::from_vhdl(files, top, &dir)?)?;
         let bench = format!("{TESTBENCH}.cpp");
         write(&bench, &Bench::of(&design).render().expect("the template renders"))?;
-        let program = verilator::compile(&verilator, &dir, top, NETLIST, &bench, "-MAKEFLAGS OPT_FAST=-O2")?;
+        let program = verilator::compile(&verilator, &dir, top, NETLIST, &bench, "-MAKEFLAGS OPT_FAST=-O1")?;
         let runner = Runner::Verilator(program);
         Ok(Self { simulator: verilator.version, design, runner, dir, _scratch: scratch })
     }
