@@ -2,8 +2,8 @@
 
     With a capacity C, levels up to H, and W = C - 3 H - 1 at least 1: if a pair is popped only if used - 1 + 4 (flying + 1) <= W, or if
     none of its query is in flight, then at most C - 1 entries of a query are ever used ([stack_never_overflows]). A queue of leaf pairs
-    holds at most Q, and a younger query, which pops only if queued + 4 (flying + 1) <= Q, never waits for its own; so every pair in
-    flight goes on, unless the oldest query has leaf pairs to be tested first ([never_stuck]). Whatever the order of all this is, a query
+    holds at most Q, and a younger query, which pops only if queued + 4 (flying + 1) < Q, never fills its own; so every pair in flight
+    goes on, though leaf pairs wait while any queue is full, unless the oldest query has some to be tested first ([never_stuck]). Whatever the order of all this is, a query
     whose stack, flights and queue are empty has sent each of its leaf pairs once ([all_are_sent]), so none that touches is lost
     ([no_query_loses_a_pair]). *)
 From Coq Require Import List Lia Arith Bool Permutation.
@@ -29,7 +29,7 @@ Section Stack.
   Definition coming (l : lane) : list pair := flat_map snd (flight l).
   (** What a query does if [flying] pairs of all queries are in flight. *)
   Inductive moves (oldest : bool) (flying : nat) : lane -> lane -> Prop :=
-  | pop r p rest f q s : flying < F -> length rest + 4 * (length f + 1) <= W \/ f = [] -> oldest = true \/ length q + 4 * (length f + 1) <= Q ->
+  | pop r p rest f q s : flying < F -> length rest + 4 * (length f + 1) <= W \/ f = [] -> oldest = true \/ length q + 4 * (length f + 1) < Q ->
       moves oldest flying (Lane r (p :: rest) f q s) (Lane r rest (f ++ [(p, offspring p)]) q s)
   | push r st before p x more after q s : is_leaf x = false ->
       moves oldest flying (Lane r st (before ++ (p, x :: more) :: after) q s) (Lane r (x :: st) (before ++ (p, more) :: after) q s)
@@ -57,7 +57,7 @@ Section Stack.
     (flight l = [] \/ exists p more, flight l = [(p, more)] /\ length top + length more + 3 * (H - level p) <= 3 * H + 4).
   Definition complete (l : lane) := Permutation (sent l ++ queue l ++ flat_map leaves (coming l ++ stack l)) (leaves (root l)).
   Definition good (l : lane) := in_order l /\ (wide l \/ deep l) /\ length (queue l) <= Q /\ complete l.
-  Definition has_room (l : lane) := length (queue l) + length (coming l) <= Q.
+  Definition has_room (l : lane) := length (queue l) + length (coming l) < Q.
 
   Lemma coming_at before p xs after : flat_map snd (before ++ (p, xs) :: after) = flat_map (@snd pair (list pair)) before ++ xs ++ flat_map snd after.
   Proof. now rewrite flat_map_app. Qed.
@@ -150,7 +150,7 @@ Section Stack.
     - split.
       + apply Forall_app. split; auto. constructor; [|constructor]. split; [split; cbn; auto|]. split; [left; unfold wide; cbn; lia|].
         split; [cbn; lia|]. unfold complete. cbn. now rewrite app_nil_r.
-      + destruct all as [|l all]; cbn in *; [constructor|]. apply Forall_app. split; auto. constructor; [|constructor]. unfold has_room. cbn. lia.
+      + destruct all as [|l all]; cbn in *; [constructor|]. apply Forall_app. split; auto.
     - apply Forall_app in G as [Gb Ga]. inversion Ga as [|? ? Gl Ga']; subst. split.
       + apply Forall_app. split; auto. constructor; auto. eapply move_keeps; eauto.
       + destruct before as [|b before]; cbn in *; auto. apply Forall_app in R as [Rb Ra]. inversion Ra; subst.
@@ -171,10 +171,10 @@ Section Stack.
     unfold complete, coming in D. rewrite A, B, C in D. cbn in D. now rewrite app_nil_r in D.
   Qed.
 
-  (** A pair in flight goes on, if its next survivor finds a place. *)
-  Definition goes_on (l : lane) (f : pair * list pair) := forall x more, snd f = x :: more -> is_leaf x = true -> length (queue l) < Q.
+  (** A pair in flight goes on, if its next survivor finds a place: while a queue is full, no leaf pair comes into any. *)
+  Definition goes_on (s : list lane) (f : pair * list pair) := forall x more, snd f = x :: more -> is_leaf x = true -> forall k, In k s -> length (queue k) < Q.
   Theorem never_stuck l rest : reached (l :: rest) -> let flights := flat_map flight (l :: rest) in
-    done l \/ queue l <> [] \/ flights <> [] /\ (forall k f, In k (l :: rest) -> In f (flight k) -> goes_on k f) \/
+    done l \/ queue l <> [] \/ flights <> [] /\ (forall k f, In k (l :: rest) -> In f (flight k) -> goes_on (l :: rest) f) \/
     flights = [] /\ exists l', moves true (length flights) l l'.
   Proof.
     intros R flights. apply all_good in R as [G Y]. cbn [tl] in Y.
@@ -182,9 +182,8 @@ Section Stack.
     - unfold flights in Ef. cbn in Ef. apply app_eq_nil in Ef as [Ef _].
       destruct l as [r [|p st] f q s]; cbn in *; subst; [left; repeat split|]. right; right; right. split; auto.
       exists (Lane r st ([] ++ [(p, offspring p)]) [] s). apply pop; auto.
-    - right; right; left. split; [discriminate|]. intros k g [<-|I] Ig x more Ex _; [rewrite E; cbn; lia|].
-      rewrite Forall_forall in Y. specialize (Y k I). unfold has_room, coming in Y. apply in_split in Ig as (b & a & Ea).
-      destruct g as [p xs]. cbn in Ex. subst xs. rewrite Ea, coming_at, !app_length in Y. cbn in Y. lia.
+    - right; right; left. split; [discriminate|]. intros _ _ _ _ _ _ _ _ k [<-|I]; [rewrite E; cbn; lia|].
+      rewrite Forall_forall in Y. specialize (Y k I). unfold has_room in Y. lia.
   Qed.
 End Stack.
 

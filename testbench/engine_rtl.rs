@@ -377,7 +377,7 @@ fn the_rule_of_the_stack_is_exact() {
         // W too large by one.
         (lane, "to_signed(wide - 6, ", "to_signed(wide - 5, "),
         // Pairs in flight are not counted.
-        (lane, "+ freed - 3)", "+ freed + 1)"),
+        (lane, "(freed - 3)", "(freed + 1)"),
         // Both left children are pushed first, and popped last.
         (
             survivors,

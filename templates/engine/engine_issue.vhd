@@ -49,7 +49,7 @@ entity {{ prefix }}engine_issue is
     sends_pair : in std_logic;  -- one goes into the queue of its lane
     leaves_finished : in std_logic;  -- a record is finished
     leaf_lane : in std_logic_vector(lane_bits - 1 downto 0);
-    pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a pair leaves the queue of its lane
+    pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a clock ago a pair left the queue of its lane
     -- State and events, each of one clock.
     idle : out std_logic_vector(lanes - 1 downto 0);  -- a clock ago nothing was in flight, and nothing was to be popped
     waiting : out std_logic;  -- something is in flight
@@ -89,7 +89,7 @@ architecture rtl of {{ prefix }}engine_issue is
   signal nearly_all_fly : std_logic := '0';  -- but for one
   signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit
   signal crowded : std_logic := '0';  -- so many that a younger query waits
-  -- So many records of all lanes more than a clock before, a pair in flight as one; counted a clock later, so that one sum is in a clock.
+  -- So many records of all lanes more than a clock before, a pair in flight as one; counted a clock later.
   signal records : signed(2 downto 0) := "000";
   signal issued : std_logic := '0';  -- a pair that was popped and whose blocks are asked for
   signal issued_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');

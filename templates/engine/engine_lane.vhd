@@ -10,14 +10,14 @@
 -- at most 3 ({{ e.traversal.levels }} - l) + 1 entries above what lay below it, and entries of level {{ e.traversal.levels }} push nothing:
 -- used <= {{ e.traversal.wide }} + 3 x {{ e.traversal.levels }} + 1 = {{ e.traversal.stack }} at all times.
 --
--- The oldest query comes first. While a queue of leaf pairs is full no pair comes into any. So a younger query pops only what its
--- queue has room for, even if each of its pairs in flight sends four, and never fills it, as there are 3 places more (below). And it
--- pops only while few pairs wait for their blocks, so that those of the oldest do not wait behind many.
+-- The oldest query comes first. While a queue of leaf pairs is full no pair comes into any, so a younger query does not fill its own:
+-- it is popped only if queued + 4 (flying + 1) < {{ e.traversal.pairs }}. And it pops only while few pairs wait for their blocks, so that those of the
+-- oldest do not wait behind many.
 --
--- The lane is chosen in one clock (engine_issue) and its pair popped in a later one, and what frees room is counted a clock late.
--- Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted, while a record has sent three of its four:
--- so the lane is chosen only if there are 3 places more than the rules ask for. Right behind a pop of its own the lane pops only if
--- there is plenty.
+-- The lane is chosen in one clock (engine_issue) and its pair popped in a later one, and what frees room is counted a clock late or
+-- two. Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted, while a record has sent three of its
+-- four: so the lane is chosen only if there are 3 places more than the rules ask for. Right behind a pop of its own the lane pops only
+-- if there is plenty.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -50,7 +50,7 @@ entity {{ prefix }}engine_lane is
     nodes_finished : in std_logic;  -- the last of its record
     sends_pair : in std_logic;  -- a pair of leaves goes into its queue
     leaves_finished : in std_logic;  -- a record of leaves is finished
-    pair_left : in std_logic;  -- a pair leaves the queue
+    pair_left : in std_logic;  -- a clock ago a pair left the queue
     -- State.
     idle : out std_logic := '1';  -- a clock ago nothing was in flight, and nothing was to be popped
     limit_reached : out std_logic := '0';
@@ -77,7 +77,7 @@ architecture rtl of {{ prefix }}engine_lane is
   signal many : std_logic;  -- three entries or more
   signal room : unsigned(room_bits - 1 downto 0) := (others => '0');  -- wide - 6 - used - 4 flying in two's complement: not negative while a pair may be popped although others of the lane fly
   signal plenty : std_logic := '0';  -- it was at least 16 a clock ago
-  signal pair_room : unsigned(pair_room_bits - 1 downto 0) := (others => '0');  -- the same of the queue of leaf pairs: pairs - 7 - those in it - 4 flying
+  signal pair_room : unsigned(pair_room_bits - 1 downto 0) := (others => '0');  -- the same of the queue of leaf pairs: pairs - 8 - those in it - 4 flying
   signal pair_plenty : std_logic := '0';  -- it was at least 32 a clock ago
   signal flying : unsigned(flight_bits + 1 downto 0) := (others => '0');
   signal nothing_flies : std_logic := '1';
@@ -85,7 +85,7 @@ architecture rtl of {{ prefix }}engine_lane is
   signal last_one : std_logic := '0';  -- the next expansion is the last
   signal few_left : std_logic := '0';  -- a clock ago there were less than eight
   signal spent : std_logic := '0';  -- no expansion more
-  -- What a clock changes but for a pop, counted in the next one, so that one sum is in a clock.
+  -- What a clock changes but for a pop, counted in the next one: a sum is short, or alone in its clock.
   signal freed : signed(4 downto 0) := "00000";  -- places of the stack
   signal pairs_freed : signed(4 downto 0) := "00000";  -- places of the queue of leaf pairs
   signal records : signed(2 downto 0) := "000";  -- that are more than before; a pair in flight counts as one
@@ -198,13 +198,13 @@ begin
       steady := unsigned(signed(flying) + records);
       if reset = '1' or start = '1' then
         room <= unsigned(to_signed(wide - 6, room_bits));
-        pair_room <= to_unsigned(pairs - 7, pair_room_bits);
+        pair_room <= to_unsigned(pairs - 8, pair_room_bits);
         flying <= (others => '0');
         nothing_flies <= '1';
       else
         if pop = '1' then
-          room <= unsigned(signed(room) + freed - 3);
-          pair_room <= unsigned(signed(pair_room) + pairs_freed - 4);
+          room <= unsigned(signed(room) + (freed - 3));
+          pair_room <= unsigned(signed(pair_room) + (pairs_freed - 4));
           flying <= steady + 1;
           nothing_flies <= '0';
         else

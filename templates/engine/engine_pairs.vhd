@@ -215,7 +215,7 @@ begin
         if goes then
           fetched(lane) <= fetched(lane) + 1;
         end if;
-        -- Whether one goes is known late in a clock: what it chooses between is there before.
+        -- Whether one goes is known after whether one comes: what it chooses between is there before.
         kept := waiting(lane);
         left := waiting(lane) - 1;
         if comes then

@@ -2,6 +2,7 @@
 //! of both.
 
 use super::*;
+use crate::extent::full;
 use efsat::engine::words::{BlockLayout, LEAF_BIT, NO_CHILD};
 use std::collections::VecDeque;
 
@@ -214,7 +215,9 @@ struct Around<'a> {
 impl Around<'_> {
     /// Blocks that are there and taken by the volume unit, if there are such.
     fn blocks(&mut self) -> bool {
-        let taken = self.asked.front().is_some_and(|flight| flight.due <= self.clock) && !seldom(&mut self.rng, 3);
+        // For a while it takes few.
+        let takes = if self.clock / 256 % 2 == 0 { !seldom(&mut self.rng, 3) } else { seldom(&mut self.rng, 4) };
+        let taken = self.asked.front().is_some_and(|flight| flight.due <= self.clock) && takes;
         self.entity.set("blocks_taken", taken.into());
         for (i, port) in ["block_a", "block_b"].into_iter().enumerate() {
             // What is not taken means nothing.
@@ -404,9 +407,10 @@ fn query(rng: &mut ChaCha8Rng, round: u32, deepest: u32) -> (Query, u32) {
         2 if !chains => trees[side].spoiled = Some(rng.random_range(0..trees[side].blocks.len() as u32)),
         _ => {}
     }
-    let query = Query { trees, seed: (!chains).then(|| rng.random()), deepest };
+    // In some everything overlaps, too.
+    let query = Query { trees, seed: (!chains && round % 10 != 5).then(|| rng.random()), deepest };
     let expansions = query.found().expansions as u32;
-    let limit = if round % 4 == 3 { rng.random_range(1..=1 + expansions) } else { 0 };
+    let limit = if round % 3 == 2 { rng.random_range(1..=1 + expansions) } else { 0 };
     (query, limit)
 }
 
@@ -427,12 +431,13 @@ fn traverse(entity: &mut Entity, design: EngineDesign, most: usize) -> Outcome {
         without_blocks: 0,
         listed: 0,
     };
+    let rounds = if full() { 160 } else { 60 };
     let (mut round, mut finished) = (0, 0);
-    while round < 60 || around.lanes.iter().any(Option::is_some) {
+    while round < rounds || around.lanes.iter().any(Option::is_some) {
         expect(around.clock < finished + 20_000, around.clock, "never idle")?;
         let active = around.lanes.iter().flatten().count();
         let lane = (around.oldest + active) % lanes;
-        let starts = round < 60 && active < most && seldom(&mut around.rng, 20);
+        let starts = round < rounds && active < most && seldom(&mut around.rng, 20);
         if starts {
             let (query, limit) = query(&mut around.rng, round, around.design.params.tree_height);
             let found = Found::default();
@@ -488,7 +493,8 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("lives and many and", "lives and filled and"),
         ("many and not few_left and", "many and"),
         // A younger query takes more than the queue of its leaf pairs has room for, or goes in front of the oldest.
-        ("+ pairs_freed - 4)", "+ pairs_freed)"),
+        ("(pairs_freed - 4)", "pairs_freed"),
+        ("to_unsigned(pairs - 8, ", "to_unsigned(pairs + 8, "),
         ("or not (pair_room(pair_room_bits - 1) or crowded));", "or not crowded);"),
         ("or not (pair_room(pair_room_bits - 1) or crowded));", "or not pair_room(pair_room_bits - 1));"),
     ];
