@@ -5,7 +5,7 @@
 -- EFSAT: exact triangle-triangle intersection test in fixed-point arithmetic.
 -- The signs of fifteen determinants with bounds on their errors; a definite answer is never wrong.
 --
--- One pair every 2 clocks, verdict 39 clocks after acceptance.
+-- One pair every 2 clocks, verdict 38 clocks after acceptance.
 --
 -- Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock
 -- in which in_valid and in_ready are both set; keep valid and data until then. in_ready comes once per slot

@@ -28,8 +28,8 @@ end entity efsat_stream_tb;
 
 architecture simulation of efsat_stream_tb is
   constant formats : string := "efsat vectors 1: determinants input s4.28 transform on width 18 span 1 levels 6 bound moments boxes on guard tag 16 stream 512 to 64";
-  constant patience : natural := 4252;  -- clocks without a transfer before giving up
-  constant full_after : natural := 111;  -- clocks of refusal after which the unit is full
+  constant patience : natural := 4248;  -- clocks without a transfer before giving up
+  constant full_after : natural := 110;  -- clocks of refusal after which the unit is full
   constant begun : natural := 5;  -- words before the reset between passes: a pair in the unit, one that waits
 
   signal clk : std_logic := '0';

@@ -23,9 +23,9 @@ end entity efsat_tb;
 architecture simulation of efsat_tb is
   constant formats : string := "efsat vectors 1: determinants input s4.28 transform on width 18 span 1 levels 6 bound moments boxes on guard";
   constant paced : natural := 96;  -- pairs of the second pass
-  constant patience : natural := 4252;  -- clocks without an answer before giving up
+  constant patience : natural := 4248;  -- clocks without an answer before giving up
   constant in_flight : natural := 4096;  -- answers awaited at most
-  constant full_after : natural := 47;  -- clocks of refusal after which the unit is full
+  constant full_after : natural := 46;  -- clocks of refusal after which the unit is full
 
   subtype pair_word is std_logic_vector(575 downto 0);
   subtype pose_word is std_logic_vector(384 downto 0);
@@ -332,7 +332,7 @@ begin
     writeline(output, message);
     assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity failure;
     assert interval = 0 or interval = 2 report "efsat_tb: initiation interval is not 2" severity failure;
-    assert latency = 39 report "efsat_tb: latency is not 39" severity failure;
+    assert latency = 38 report "efsat_tb: latency is not 38" severity failure;
     done <= true;
     wait;
   end process main;

@@ -60,6 +60,8 @@ package efsat_types is
   type unsigned_28_x4_t is array (0 to 3) of unsigned(27 downto 0);
   constant zero_unsigned_28_x4 : unsigned_28_x4_t := (others => (others => '0'));
   type signed_32_x4_t is array (0 to 3) of signed(31 downto 0);
+  type signed_33_x4_t is array (0 to 3) of signed(32 downto 0);
+  constant zero_signed_33_x4 : signed_33_x4_t := (others => (others => '0'));
   type unsigned_21_x5_t is array (0 to 4) of unsigned(20 downto 0);
   type unsigned_22_x5_t is array (0 to 4) of unsigned(21 downto 0);
   constant zero_unsigned_22_x5 : unsigned_22_x5_t := (others => (others => '0'));
@@ -116,6 +118,8 @@ package efsat_types is
   constant zero_unsigned_29_x3_x2 : unsigned_29_x3_x2_t := (others => zero_unsigned_29_x3);
   type signed_18_x3_x2_t is array (0 to 1) of signed_18_x3_t;
   type signed_30_x3_x2_t is array (0 to 1) of signed_30_x3_t;
+  type signed_32_x3_x2_t is array (0 to 1) of signed_32_x3_t;
+  constant zero_signed_32_x3_x2 : signed_32_x3_x2_t := (others => zero_signed_32_x3);
   type signed_38_x3_x2_t is array (0 to 1) of signed_38_x3_t;
   type signed_18_vector_x2_t is array (0 to 1) of signed_18_vector_t;
   constant zero_signed_18_vector_x2 : signed_18_vector_x2_t := (others => zero_signed_18_vector);
@@ -140,8 +144,6 @@ package efsat_types is
   type signed_18_vector_x4_t is array (0 to 3) of signed_18_vector_t;
   constant zero_signed_18_vector_x4 : signed_18_vector_x4_t := (others => zero_signed_18_vector);
   type signed_19_vector_x4_t is array (0 to 3) of signed_19_vector_t;
-  type signed_32_vector_x4_t is array (0 to 3) of signed_32_vector_t;
-  constant zero_signed_32_vector_x4 : signed_32_vector_x4_t := (others => zero_signed_32_vector);
   type signed_18_vector_x5_t is array (0 to 4) of signed_18_vector_t;
   type signed_19_vector_x5_t is array (0 to 4) of signed_19_vector_t;
   constant zero_signed_19_vector_x5 : signed_19_vector_x5_t := (others => zero_signed_19_vector);
@@ -152,12 +154,12 @@ package efsat_types is
   constant zero_signed_18_x2_x6 : signed_18_x2_x6_t := (others => zero_signed_18_x2);
   type flag_x2_x15_t is array (0 to 14) of std_logic_vector(1 downto 0);
   constant zero_flag_x2_x15 : flag_x2_x15_t := (others => (others => '0'));
+  type flag_x3_x16_t is array (0 to 15) of std_logic_vector(2 downto 0);
+  constant zero_flag_x3_x16 : flag_x3_x16_t := (others => (others => '0'));
   type flag_2_to_8_x16_t is array (0 to 15) of std_logic_vector(8 downto 2);
   constant zero_flag_2_to_8_x16 : flag_2_to_8_x16_t := (others => (others => '0'));
   type flag_3_to_8_x16_t is array (0 to 15) of std_logic_vector(8 downto 3);
   constant zero_flag_3_to_8_x16 : flag_3_to_8_x16_t := (others => (others => '0'));
-  type flag_x3_x17_t is array (0 to 16) of std_logic_vector(2 downto 0);
-  constant zero_flag_x3_x17 : flag_x3_x17_t := (others => (others => '0'));
   type signed_18_vector_1_to_4_t is array (1 to 4) of signed_18_vector_t;
   constant zero_signed_18_vector_1_to_4 : signed_18_vector_1_to_4_t := (others => zero_signed_18_vector);
   type signed_18_vector_3_to_4_t is array (3 to 4) of signed_18_vector_t;

@@ -12,8 +12,8 @@ entity pair_bounds is
   port (
     clk                             : in  std_logic;
     strobe                          : in  std_logic_vector(1 downto 0);  -- one flag per phase
-    row_m_select_at_0               : in  std_logic;
     row_m_select_at_1               : in  std_logic;
+    row_m_select_at_0               : in  std_logic;
     places                          : in  std_logic;
     moment_m0                       : in  signed_18_vector_t;  -- |.| <= 131072
     moment_m2                       : in  signed_18_vector_t;  -- |.| <= 131072
@@ -115,28 +115,28 @@ architecture rtl of pair_bounds is
   signal bound_side22_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
   signal bound_side22 : unsigned(30 downto 0);
 begin
-  -- Clock 24
-  clock_24 : process (clk)
+  -- Clock 23
+  clock_23 : process (clk)
   begin
     if rising_edge(clk) then
       places_d1 <= places;
     end if;
-  end process clock_24;
-  moment_norm_x(0) <= moment_m2 when row_m_select_at_0 = '1' else moment_m0;
-  moment_norm_x(1) <= moment_n when row_m_select_at_0 = '1' else moment_m1;
+  end process clock_23;
+  moment_norm_x(0) <= moment_m2 when row_m_select_at_1 = '1' else moment_m0;
+  moment_norm_x(1) <= moment_n when row_m_select_at_1 = '1' else moment_m1;
 
-  -- Clock 25
-  clock_25 : process (clk)
+  -- Clock 24
+  clock_24 : process (clk)
   begin
     if rising_edge(clk) then
       places_d2 <= places_d1;
       moment_norm_x_d1 <= moment_norm_x;
     end if;
-  end process clock_25;
-  length_x(0) <= length_measure5_h4 when row_m_select_at_1 = '1' else length_measure_h4(0);
-  length_x(1) <= length_measure6_h2 when row_m_select_at_1 = '1' else length_measure_h4(1);
-  length_x(2) <= length_measure_7_to_8_h4(7) when row_m_select_at_1 = '1' else length_measure_h4(2);
-  length_x(3) <= length_measure_7_to_8_h4(8) when row_m_select_at_1 = '1' else length_measure_h4(3);
+  end process clock_24;
+  length_x(0) <= length_measure5_h4 when row_m_select_at_0 = '1' else length_measure_h4(0);
+  length_x(1) <= length_measure6_h2 when row_m_select_at_0 = '1' else length_measure_h4(1);
+  length_x(2) <= length_measure_7_to_8_h4(7) when row_m_select_at_0 = '1' else length_measure_h4(2);
+  length_x(3) <= length_measure_7_to_8_h4(8) when row_m_select_at_0 = '1' else length_measure_h4(3);
   length_times_g_each : for k in 0 to 3 generate
     length_times_g(k) <= resize(length_x(k), 22) when places_d2 = '1' else append(length_x(k), 1);
   end generate length_times_g_each;
@@ -146,23 +146,23 @@ begin
       port map (clk => clk, x => moment_norm_x_d1(k), norm => moment_norm_lane(k));
   end generate moment_norm_lane_unit;
 
-  -- Clock 26
-  clock_26 : process (clk)
+  -- Clock 25
+  clock_25 : process (clk)
   begin
     if rising_edge(clk) then
       length_times_g_d1 <= length_times_g;
     end if;
-  end process clock_26;
+  end process clock_25;
   length_first_unit : for k in 0 to 4 generate
     unit : entity work.length_first_order
       port map (x => length_times_g_d1(k), by => level_h4_d1, first_order => length_first(k));
   end generate length_first_unit;
 
-  -- Clock 27
+  -- Clock 26
   moment_measure(0) <= resize(norm_of_moment(0), 21);
   moment_measure(1) <= resize(norm_of_moment(1), 21);
   moment_x_each : for k in 0 to 1 generate
-    moment_x(k) <= moment_measure(k + 2) when row_m_select_at_1 = '1' else moment_measure(k);
+    moment_x(k) <= moment_measure(k + 2) when row_m_select_at_0 = '1' else moment_measure(k);
     face_of_vertex_negative_difference_each : for m in 0 to 2 generate
       face_of_vertex_negative_difference(k)(m) <= signed(resize(length_bound(k), 30)) -
           signed(resize(length_bound(m + 2), 30));
@@ -171,13 +171,13 @@ begin
     end generate face_of_vertex_negative_difference_each;
   end generate moment_x_each;
 
-  -- Clock 28
-  clock_28 : process (clk)
+  -- Clock 27
+  clock_27 : process (clk)
   begin
     if rising_edge(clk) then
       moment_x_d1 <= moment_x;
     end if;
-  end process clock_28;
+  end process clock_27;
   moment_measure(2) <= resize(norm_of_moment(2), 21);
   moment_measure(3) <= resize(norm_of_moment(3), 21);
   moment_first_unit : for k in 0 to 1 generate
@@ -185,7 +185,7 @@ begin
       port map (x => moment_x_d1(k), by => level_h4_d3, first_order => moment_first(k));
   end generate moment_first_unit;
 
-  -- Clock 30
+  -- Clock 29
   bound_all_m <= resize(resize(moment_bound(0), 29) + resize(moment_bound(1), 29), 30) + resize(moment_bound(2), 30);
   bound_plane_a0 <= resize(resize(moment_bound(3), 29) + resize(length_measure0_plane_a0_h2, 29), 31) +
       resize(bound_plane_a0_sum_second_h2, 31);
@@ -216,7 +216,7 @@ begin
   compared_bound(13) <= signed(resize(bound_side21(30 downto 3), 31));
   compared_bound(14) <= signed(resize(bound_side22(30 downto 3), 31));
 
-  -- Clock 31
+  -- Clock 30
   bound_corner <= resize(bound_corner_aligned_h1, 32) + resize(bound_corner_sum_h3, 32);
   bound_plane_b0 <= resize(bound_all_m_h1, 31) + resize(length_measure0_plane_a0_h3, 31);
   bound_plane_b1 <= resize(bound_corner, 33) + resize(bound_plane_b1_result_h3, 33);
@@ -235,7 +235,7 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if strobe(0) = '1' then
+      if strobe(1) = '1' then
         for k in 0 to 4 loop
           length_bound(k) <= length_first(k);
         end loop;
@@ -259,7 +259,7 @@ begin
             resize(bound_side12_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
         bound_side12_result_h3 <= bound_side12_result_h2;
       end if;
-      if strobe(1) = '1' then
+      if strobe(0) = '1' then
         for k in 0 to 3 loop
           length_bound(k + 5) <= length_first(k);
         end loop;

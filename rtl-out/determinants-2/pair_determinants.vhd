@@ -12,8 +12,8 @@ entity pair_determinants is
   port (
     clk                 : in  std_logic;
     strobe              : in  std_logic_vector(1 downto 0);  -- one flag per phase
-    row_m_select_at_0   : in  std_logic;
     row_m_select_at_1   : in  std_logic;
+    row_m_select_at_0   : in  std_logic;
     moment_m0           : in  signed_18_vector_t;  -- |.| <= 131072
     moment_m2           : in  signed_18_vector_t;  -- |.| <= 131072
     moment_m1           : in  signed_18_vector_t;  -- |.| <= 131072
@@ -62,25 +62,25 @@ architecture rtl of pair_determinants is
   signal compared_unit_side0 : signed_39_x3_t;
   signal compared_unit_side1 : signed_40_x3_t;
 begin
-  -- Clock 24
-  dot_x(1) <= coordinate_v2_h8 when row_m_select_at_0 = '1' else coordinate_v1_h6;
-  dot_x(2) <= coordinate_v2_h8 when row_m_select_at_0 = '1' else coordinate_v1_h6;
-  dot_x(3) <= coordinate_v2_h8 when row_m_select_at_0 = '1' else coordinate_v1_h6;
-  dot_x(4) <= coordinate_w2_h8 when row_m_select_at_0 = '1' else coordinate_w1_h8;
+  -- Clock 23
+  dot_x(1) <= coordinate_v2_h8 when row_m_select_at_1 = '1' else coordinate_v1_h6;
+  dot_x(2) <= coordinate_v2_h8 when row_m_select_at_1 = '1' else coordinate_v1_h6;
+  dot_x(3) <= coordinate_v2_h8 when row_m_select_at_1 = '1' else coordinate_v1_h6;
+  dot_x(4) <= coordinate_w2_h8 when row_m_select_at_1 = '1' else coordinate_w1_h8;
 
-  -- Clock 25
-  clock_25 : process (clk)
+  -- Clock 24
+  clock_24 : process (clk)
   begin
     if rising_edge(clk) then
       dot_x_d1 <= dot_x;
       moment_m0_d1 <= moment_m0;
       moment_m1_d1 <= moment_m1;
     end if;
-  end process clock_25;
-  dot_m <= moment_m1_h2 when row_m_select_at_1 = '1' else moment_n;
+  end process clock_24;
+  dot_m <= moment_m1_h2 when row_m_select_at_0 = '1' else moment_n;
 
-  -- Clock 26
-  clock_26 : process (clk)
+  -- Clock 25
+  clock_25 : process (clk)
   begin
     if rising_edge(clk) then
       dot_m_d1 <= dot_m;
@@ -90,7 +90,7 @@ begin
       moment_m2_d1 <= moment_m2;
       moment_n_d1 <= moment_n;
     end if;
-  end process clock_26;
+  end process clock_25;
   dot_lane_unit_x(0) <= coordinate_w0_h8_d2;
   dot_lane_unit_x(1) <= dot_x_d1(1);
   dot_lane_unit_x(2) <= dot_x_d1(2);
@@ -106,13 +106,13 @@ begin
       port map (clk => clk, x => dot_lane_unit_x(k), m => dot_lane_unit_m(k), dot => dot_lane(k));
   end generate dot_lane_unit;
 
-  -- Clock 29
+  -- Clock 28
   compared(0) <= resize(determinant_plane_a0, 41);
   compared(1) <= resize(determinant_plane_a1, 41);
   compared(12) <= resize(determinant_side20, 41);
   compared(13) <= resize(determinant_side21, 41);
 
-  -- Clock 30
+  -- Clock 29
   compared(2) <= resize(determinant_plane_a2, 41);
   compared(3) <= resize(determinant_plane_b0, 41);
   compared(14) <= resize(determinant_side22, 41);
@@ -138,7 +138,7 @@ begin
     port map (clk => clk, a => compared_unit_a, d => compared_unit_d, v => determinant_plane_b0,
               plane_b => compared_unit_plane_b, side0 => compared_unit_side0, side1 => compared_unit_side1);
 
-  -- Clock 32
+  -- Clock 31
   compared(6) <= resize(determinant_side00, 41);
   compared(7) <= resize(determinant_side01, 41);
   compared(8) <= resize(determinant_side02, 41);
@@ -150,7 +150,7 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if strobe(1) = '1' then
+      if strobe(0) = '1' then
         moment_m1_h2 <= moment_m1;
         determinant_plane_b0 <= dot_lane(0);
         dot_d1(0) <= dot_lane(1);
@@ -161,7 +161,7 @@ begin
           dot_d1_h2(k) <= dot_d1(k);
         end loop;
       end if;
-      if strobe(0) = '1' then
+      if strobe(1) = '1' then
         determinant_plane_a0 <= dot_lane(0);
         dot_d1(2) <= dot_lane(3);
         determinant_side20 <= dot_lane(1);

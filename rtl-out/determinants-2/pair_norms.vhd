@@ -12,8 +12,8 @@ entity pair_norms is
   port (
     clk                             : in  std_logic;
     strobe                          : in  std_logic_vector(1 downto 0);  -- one flag per phase
-    row_m_select_at_0               : in  std_logic;
     row_m_select_at_1               : in  std_logic;
+    row_m_select_at_0               : in  std_logic;
     coordinate_v1                   : in  signed_18_vector_t;  -- |.| <= 131071
     coordinate_v2                   : in  signed_18_vector_t;  -- |.| <= 131071
     coordinate_w0                   : in  signed_18_vector_t;  -- |.| <= 131071
@@ -63,9 +63,9 @@ architecture rtl of pair_norms is
   signal rest : unsigned(16 downto 0);  -- c(3); four times that is c(5)
   signal length_measure_h2 : unsigned_21_x9_t := zero_unsigned_21_x9;
   signal length_measure_h4_i : unsigned_21_x9_t := zero_unsigned_21_x9;
-  signal length_measure_held : unsigned_21_x6_t := zero_unsigned_21_x6;  -- from clock 27 on
-  signal length_measure_7_to_8_held : unsigned_21_7_to_8_t := zero_unsigned_21_7_to_8;  -- from clock 27 on
-  signal rest_held : unsigned_17_x2_t := zero_unsigned_17_x2;  -- from clocks 25, 27 on
+  signal length_measure_held : unsigned_21_x6_t := zero_unsigned_21_x6;  -- from clock 26 on
+  signal length_measure_7_to_8_held : unsigned_21_7_to_8_t := zero_unsigned_21_7_to_8;  -- from clock 26 on
+  signal rest_held : unsigned_17_x2_t := zero_unsigned_17_x2;  -- from clocks 24, 26 on
   signal norm_lane_unit_x : signed_19_vector_x5_t;
   signal length_measure0_plane_a0_unit_v : unsigned_21_x2_t;
   signal length_measure0_plane_a0_unit_w : unsigned_21_x3_t;
@@ -75,16 +75,16 @@ architecture rtl of pair_norms is
   signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
   signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
 begin
-  -- Clock 18
+  -- Clock 17
   e_a1_each : for i in 0 to 2 generate
     e_a1(i) <= resize(coordinate_v2_h1(i), 19) - resize(coordinate_v1_h1(i), 19);
-    norm_x(0)(i) <= norm_x0_resized_third_h2(i) when row_m_select_at_0 = '1' else resize(coordinate_v1(i), 19);
-    norm_x(1)(i) <= e_b(0)(i) when row_m_select_at_0 = '1' else resize(coordinate_v2(i), 19);
+    norm_x(0)(i) <= norm_x0_resized_third_h2(i) when row_m_select_at_1 = '1' else resize(coordinate_v1(i), 19);
+    norm_x(1)(i) <= e_b(0)(i) when row_m_select_at_1 = '1' else resize(coordinate_v2(i), 19);
   end generate e_a1_each;
-  norm_x(3) <= e_b(2) when row_m_select_at_0 = '1' else norm_x_resized_h2(3);
+  norm_x(3) <= e_b(2) when row_m_select_at_1 = '1' else norm_x_resized_h2(3);
 
-  -- Clock 19
-  clock_19 : process (clk)
+  -- Clock 18
+  clock_18 : process (clk)
   begin
     if rising_edge(clk) then
       for k in 0 to 1 loop
@@ -93,13 +93,13 @@ begin
       norm_x3_d1 <= norm_x(3);
       norm_x4_resized_h2_d1 <= norm_x_resized_h2(4);
     end if;
-  end process clock_19;
+  end process clock_18;
   e_b_0_each : for i in 0 to 2 generate
     e_b(0)(i) <= resize(coordinate_w1_h3(i), 19) - resize(coordinate_w0_h3(i), 19);
     e_b(1)(i) <= resize(coordinate_w2_h3(i), 19) - resize(coordinate_w1_h3(i), 19);
     e_b(2)(i) <= resize(coordinate_w0_h3(i), 19) - resize(coordinate_w2_h3(i), 19);
   end generate e_b_0_each;
-  norm_x(2) <= e_b(1) when row_m_select_at_1 = '1' else e_a1;
+  norm_x(2) <= e_b(1) when row_m_select_at_0 = '1' else e_a1;
   norm_lane_unit_x(0) <= norm_x_d1(0);
   norm_lane_unit_x(1) <= norm_x_d1(1);
   norm_lane_unit_x(2) <= norm_x2_d1;
@@ -110,15 +110,15 @@ begin
       port map (clk => clk, x => norm_lane_unit_x(k), norm => norm_lane(k));
   end generate norm_lane_unit;
 
-  -- Clock 20
-  clock_20 : process (clk)
+  -- Clock 19
+  clock_19 : process (clk)
   begin
     if rising_edge(clk) then
       norm_x2_d1 <= norm_x(2);
     end if;
-  end process clock_20;
+  end process clock_19;
 
-  -- Clock 21
+  -- Clock 20
   rest_of_level <=
     to_unsigned(64, 15) when known(level) = 0 else
     to_unsigned(64, 15) when known(level) = 1 else
@@ -129,10 +129,10 @@ begin
     to_unsigned(16384, 15);
   rest_of_level_aligned <= append(rest_of_level, 1);
 
-  -- Clock 23
+  -- Clock 22
   rest <= resize(rest_of_level_aligned_h2, 17) when places = '1' else rest_aligned_second_h2;
 
-  -- Clock 27
+  -- Clock 26
   length_measure0_plane_a0_unit_v_each : for k in 0 to 1 generate
     length_measure0_plane_a0_unit_v(k) <= length_measure_held(k);
   end generate length_measure0_plane_a0_unit_v_each;
@@ -162,7 +162,7 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if strobe(1) = '1' then
+      if strobe(0) = '1' then
         for i in 0 to 2 loop
           norm_x0_resized_third_h2(i) <= resize(coordinate_w2(i), 19);
         end loop;
@@ -183,7 +183,7 @@ begin
         length_measure_h4_i(7) <= length_measure_h2(7);
         length_measure_h4_i(8) <= length_measure_h2(8);
       end if;
-      if strobe(0) = '1' then
+      if strobe(1) = '1' then
         length_measure(0) <= norm_lane(0);
         length_measure(1) <= norm_lane(1);
         length_measure(2) <= norm_lane(3);

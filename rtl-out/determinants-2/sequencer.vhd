@@ -49,7 +49,7 @@ architecture rtl of sequencer is
   signal accepts : std_logic;
   signal accept_pair : std_logic;
   signal holds_i : std_logic_vector(17 downto 0) := (others => '0');
-  signal decide_phase : std_logic := '0';  -- set in phase 1
+  signal decide_phase : std_logic := '0';  -- set in phase 0
   signal decide_pair : std_logic;
   signal empty_if_moved : std_logic := '1';
   signal empty_if_still : std_logic := '1';
@@ -111,7 +111,7 @@ begin
         taken_moved <= take_pair;
         full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
         full_if_still <= flag(known(accepted) = known(taken_turned));
-        decide_phase <= flag(phase_i = '0');
+        decide_phase <= flag(phase_i = '1');
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;

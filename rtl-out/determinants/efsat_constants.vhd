@@ -14,7 +14,7 @@ package efsat_constants is
   constant efsat_tag_bits : natural := 16;  -- bits of the tag of a pair
   constant efsat_flag_bits : natural := 9;  -- flags of each kind, one for each witness
   constant efsat_clocks_per_pair : natural := 1;  -- clocks from pair to pair, the initiation interval
-  constant efsat_latency : natural := 32;  -- clocks from a pair taken to its verdict
+  constant efsat_latency : natural := 31;  -- clocks from a pair taken to its verdict
   constant efsat_clock_mhz : natural := 100;  -- the target clock in MHz
 
   -- Verdicts: out_verdict, and the low bits of an answer.

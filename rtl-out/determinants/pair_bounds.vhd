@@ -107,7 +107,7 @@ architecture rtl of pair_bounds is
   signal bound_side22 : unsigned(30 downto 0);
   signal moment_norm_lane_unit_x : signed_18_vector_x4_t;
 begin
-  -- Clock 19
+  -- Clock 18
   length_times_g_each : for k in 0 to 4 generate
     length_times_g(k) <= resize(length_measure_h2(k), 22) when places = '1' else append(length_measure_h2(k), 1);
   end generate length_times_g_each;
@@ -115,13 +115,13 @@ begin
     length_times_g(k) <= resize(length_measure(k), 22) when places = '1' else append(length_measure(k), 1);
   end generate length_times_g_each_2;
 
-  -- Clock 20
-  clock_20 : process (clk)
+  -- Clock 19
+  clock_19 : process (clk)
   begin
     if rising_edge(clk) then
       length_times_g_d1 <= length_times_g;
     end if;
-  end process clock_20;
+  end process clock_19;
   moment_norm_lane_unit_x(0) <= moment_m0;
   moment_norm_lane_unit_x(1) <= moment_m1;
   moment_norm_lane_unit_x(2) <= moment_m2;
@@ -135,13 +135,13 @@ begin
       port map (clk => clk, x => moment_norm_lane_unit_x(k), norm => moment_norm_lane(k));
   end generate moment_norm_lane_unit;
 
-  -- Clock 21
-  clock_21 : process (clk)
+  -- Clock 20
+  clock_20 : process (clk)
   begin
     if rising_edge(clk) then
       length_bound <= length_first;
     end if;
-  end process clock_21;
+  end process clock_20;
   face_of_vertex_negative_difference_each_of : for k in 0 to 1 generate
     face_of_vertex_negative_difference_each : for m in 0 to 2 generate
       face_of_vertex_negative_difference(k)(m) <= signed(resize(length_bound(k), 30)) -
@@ -151,8 +151,8 @@ begin
     end generate face_of_vertex_negative_difference_each;
   end generate face_of_vertex_negative_difference_each_of;
 
-  -- Clock 22
-  clock_22 : process (clk)
+  -- Clock 21
+  clock_21 : process (clk)
   begin
     if rising_edge(clk) then
       norm_of_moment <= moment_norm_lane;
@@ -162,7 +162,7 @@ begin
       bound_side11_sum_sum_aligned_second_h1 <= append(length_bound(6), 1);
       bound_side12_sum_sum_aligned_second_h1 <= append(length_bound(7), 1);
     end if;
-  end process clock_22;
+  end process clock_21;
   moment_measure_each : for k in 0 to 3 generate
     moment_measure(k) <= resize(norm_of_moment(k), 21);
   end generate moment_measure_each;
@@ -171,8 +171,8 @@ begin
       port map (x => moment_measure(k), by => level_d7, first_order => moment_first(k));
   end generate moment_first_unit;
 
-  -- Clock 23
-  clock_23 : process (clk)
+  -- Clock 22
+  clock_22 : process (clk)
   begin
     if rising_edge(clk) then
       moment_bound <= moment_first;
@@ -200,7 +200,7 @@ begin
       bound_side21_sum_second_h1 <= resize(face_of_vertex_h1(1)(1), 30) + resize(face_of_vertex_h1(1)(2), 30);
       bound_side22_sum_second_h1 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex_h1(1)(0), 30);
     end if;
-  end process clock_23;
+  end process clock_22;
   bound_all_m <= resize(resize(moment_bound(0), 29) + resize(moment_bound(1), 29), 30) + resize(moment_bound(2), 30);
   bound_plane_a0 <= resize(resize(moment_bound(3), 29) + resize(length_measure0_plane_a0_h1, 29), 31) +
       resize(bound_plane_a0_sum_second_h1, 31);
@@ -231,8 +231,8 @@ begin
   compared_bound(13) <= signed(resize(bound_side21(30 downto 3), 31));
   compared_bound(14) <= signed(resize(bound_side22(30 downto 3), 31));
 
-  -- Clock 24
-  clock_24 : process (clk)
+  -- Clock 23
+  clock_23 : process (clk)
   begin
     if rising_edge(clk) then
       bound_corner_aligned_h1 <= append(bound_all_m, 1);
@@ -250,7 +250,7 @@ begin
           resize(bound_side12_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
       bound_side12_result_h2 <= bound_side12_result_h1;
     end if;
-  end process clock_24;
+  end process clock_23;
   bound_corner <= resize(bound_corner_aligned_h1, 32) + resize(bound_corner_sum_line(3), 32);
   bound_plane_b0 <= resize(bound_all_m_h1, 31) + resize(length_measure0_plane_a0_h2, 31);
   bound_plane_b1 <= resize(bound_corner, 33) + resize(bound_plane_b1_result_h2, 33);

@@ -32,18 +32,18 @@ architecture rtl of pair_coordinates is
   constant axis_level_0_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant axis_level_1_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant axis_level_2_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
-  type difference_v1_line_t is array (1 to 8) of signed_33_vector_t;
+  type difference_v1_line_t is array (1 to 7) of signed_33_vector_t;
   signal difference_v1_line : difference_v1_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
-  type difference_v2_line_t is array (1 to 8) of signed_33_vector_t;
+  type difference_v2_line_t is array (1 to 7) of signed_33_vector_t;
   signal difference_v2_line : difference_v2_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
   signal shift : flag_x4_vector_t;
-  type difference_v1_d11_line_t is array (1 to 3) of signed_33_vector_t;
-  signal difference_v1_d11_line : difference_v1_d11_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
+  type difference_v1_d10_line_t is array (1 to 3) of signed_33_vector_t;
+  signal difference_v1_d10_line : difference_v1_d10_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
   signal shift_d1 : flag_x4_vector_t := zero_flag_x4_vector;
   signal lane_shifted : signed_19_vector_x5_t;  -- |.| <= 262144
   signal coordinate_cut : signed_19_vector_x5_t := zero_signed_19_vector_x5;  -- |.| <= 262144
-  type difference_v2_d11_line_t is array (1 to 3) of signed_33_vector_t;
-  signal difference_v2_d11_line : difference_v2_d11_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
+  type difference_v2_d10_line_t is array (1 to 3) of signed_33_vector_t;
+  signal difference_v2_d10_line : difference_v2_d10_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
   type difference_w0_line_t is array (1 to 3) of signed_33_vector_t;
   signal difference_w0_line : difference_w0_line_t := (others => zero_signed_33_vector);  -- |.| <= 2147483644
   type difference_w1_line_t is array (1 to 3) of signed_33_vector_t;
@@ -76,10 +76,10 @@ architecture rtl of pair_coordinates is
   signal lane_shifted_unit_x : signed_33_vector_x5_t;
   signal carried_unit_cut : signed_19_x5_vector_t;
 begin
-  -- Clock 9
+  -- Clock 8
   shift_unit_x_0_each : for i in 0 to 2 generate
-    shift_unit_x(i)(0) <= difference_v1_line(8)(i);
-    shift_unit_x(i)(1) <= difference_v2_line(8)(i);
+    shift_unit_x(i)(0) <= difference_v1_line(7)(i);
+    shift_unit_x(i)(1) <= difference_v2_line(7)(i);
     shift_unit_x(i)(2) <= difference_w0(i);
     shift_unit_x(i)(3) <= difference_w1(i);
     shift_unit_x(i)(4) <= difference_w2(i);
@@ -89,15 +89,15 @@ begin
       port map (clk => clk, x => shift_unit_x(i), shift => shift(i));
   end generate shift_unit;
 
-  -- Clock 12
-  clock_12 : process (clk)
+  -- Clock 11
+  clock_11 : process (clk)
   begin
     if rising_edge(clk) then
       shift_d1 <= shift;
     end if;
-  end process clock_12;
-  lane_shifted_unit_x(0) <= difference_v1_d11_line(3);
-  lane_shifted_unit_x(1) <= difference_v2_d11_line(3);
+  end process clock_11;
+  lane_shifted_unit_x(0) <= difference_v1_d10_line(3);
+  lane_shifted_unit_x(1) <= difference_v2_d10_line(3);
   lane_shifted_unit_x(2) <= difference_w0_line(3);
   lane_shifted_unit_x(3) <= difference_w1_line(3);
   lane_shifted_unit_x(4) <= difference_w2_line(3);
@@ -106,14 +106,14 @@ begin
       port map (x => lane_shifted_unit_x(k), shift => shift_d1, cut => lane_shifted(k));
   end generate lane_shifted_unit;
 
-  -- Clock 13
-  clock_13 : process (clk)
+  -- Clock 12
+  clock_12 : process (clk)
   begin
     if rising_edge(clk) then
       coordinate_cut <= lane_shifted;
       shift_h2 <= shift_d1;
     end if;
-  end process clock_13;
+  end process clock_12;
   taken_x <= carried(0) & unsigned(shift_h2(0));
   taken_y <= carried(1) & unsigned(shift_h2(1));
   taken_z <= carried(2) & unsigned(shift_h2(2));
@@ -127,8 +127,8 @@ begin
       port map (cut => carried_unit_cut(i), carried => carried(i));
   end generate carried_unit;
 
-  -- Clock 14
-  clock_14 : process (clk)
+  -- Clock 13
+  clock_13 : process (clk)
   begin
     if rising_edge(clk) then
       coordinate_cut_h1 <= coordinate_cut;
@@ -137,7 +137,7 @@ begin
       taken_y_h1 <= taken_y;
       taken_z_h1 <= taken_z;
     end if;
-  end process clock_14;
+  end process clock_13;
   axis_level(0) <= to_unsigned(axis_level_0_table(to_integer(known(taken_x_h1))), 3);
   axis_level(1) <= to_unsigned(axis_level_1_table(to_integer(known(taken_y_h1))), 3);
   axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(known(taken_z_h1))), 3);
@@ -154,8 +154,8 @@ begin
   coordinate_w2_unit : entity work.coordinate_round
     port map (cut => coordinate_cut_h1(4), carried => carried_h1, y => coordinate_w2);
 
-  -- Clock 15
-  clock_15 : process (clk)
+  -- Clock 14
+  clock_14 : process (clk)
   begin
     if rising_edge(clk) then
       level_less_resized_first_h1 <= signed(resize(axis_level0_resized_less_choice, 4));
@@ -163,15 +163,23 @@ begin
       axis_level0_resized_less_choice_h1 <= axis_level0_resized_less_choice;
       axis_level2_h1 <= axis_level(2);
     end if;
-  end process clock_15;
+  end process clock_14;
   level_i <= axis_level2_h1 when less(level_less_resized_first_h1, level_less_resized_second_h1) = '1' else
       axis_level0_resized_less_choice_h1;
+
+  -- Clock 18
+  clock_18 : process (clk)
+  begin
+    if rising_edge(clk) then
+      level_d4 <= level_h3_line(3);
+    end if;
+  end process clock_18;
 
   -- Clock 19
   clock_19 : process (clk)
   begin
     if rising_edge(clk) then
-      level_d4 <= level_h3_line(3);
+      level_d5_i <= level_d4;
     end if;
   end process clock_19;
 
@@ -179,7 +187,7 @@ begin
   clock_20 : process (clk)
   begin
     if rising_edge(clk) then
-      level_d5_i <= level_d4;
+      level_d6 <= level_d5_i;
     end if;
   end process clock_20;
 
@@ -187,26 +195,18 @@ begin
   clock_21 : process (clk)
   begin
     if rising_edge(clk) then
-      level_d6 <= level_d5_i;
-    end if;
-  end process clock_21;
-
-  -- Clock 22
-  clock_22 : process (clk)
-  begin
-    if rising_edge(clk) then
       level_d7 <= level_d6;
     end if;
-  end process clock_22;
+  end process clock_21;
 
   -- Delay lines
   delays : process (clk)
   begin
     if rising_edge(clk) then
-      difference_v1_line <= difference_v1 & difference_v1_line(1 to 7);
-      difference_v2_line <= difference_v2 & difference_v2_line(1 to 7);
-      difference_v1_d11_line <= difference_v1_line(8) & difference_v1_d11_line(1 to 2);
-      difference_v2_d11_line <= difference_v2_line(8) & difference_v2_d11_line(1 to 2);
+      difference_v1_line <= difference_v1 & difference_v1_line(1 to 6);
+      difference_v2_line <= difference_v2 & difference_v2_line(1 to 6);
+      difference_v1_d10_line <= difference_v1_line(7) & difference_v1_d10_line(1 to 2);
+      difference_v2_d10_line <= difference_v2_line(7) & difference_v2_d10_line(1 to 2);
       difference_w0_line <= difference_w0 & difference_w0_line(1 to 2);
       difference_w1_line <= difference_w1 & difference_w1_line(1 to 2);
       difference_w2_line <= difference_w2 & difference_w2_line(1 to 2);

@@ -48,7 +48,7 @@ architecture rtl of pair_determinants is
   signal compared_unit_side0 : signed_39_x3_t;
   signal compared_unit_side1 : signed_40_x3_t;
 begin
-  -- Clock 20
+  -- Clock 19
   dot_lane_unit_x(0) <= coordinate_w0_d6;
   dot_lane_unit_x(1) <= coordinate_v1_d6;
   dot_lane_unit_x(2) <= coordinate_v1_d6;
@@ -74,8 +74,8 @@ begin
       port map (clk => clk, x => dot_lane_unit_x(k), m => dot_lane_unit_m(k), dot => dot_lane(k));
   end generate dot_lane_unit;
 
-  -- Clock 23
-  clock_23 : process (clk)
+  -- Clock 22
+  clock_22 : process (clk)
   begin
     if rising_edge(clk) then
       determinant_plane_a0 <= dot_lane(0);
@@ -89,7 +89,7 @@ begin
       determinant_side22 <= dot_lane(8);
       determinant_plane_a2 <= dot_lane(9);
     end if;
-  end process clock_23;
+  end process clock_22;
   compared(0) <= resize(determinant_plane_a0, 41);
   compared(1) <= resize(determinant_plane_a1, 41);
   compared(2) <= resize(determinant_plane_a2, 41);
@@ -117,7 +117,7 @@ begin
     port map (clk => clk, a => compared_unit_a, d => compared_unit_d, v => determinant_plane_b0,
               plane_b => compared_unit_plane_b, side0 => compared_unit_side0, side1 => compared_unit_side1);
 
-  -- Clock 25
+  -- Clock 24
   compared(6) <= resize(determinant_side00, 41);
   compared(7) <= resize(determinant_side01, 41);
   compared(8) <= resize(determinant_side02, 41);

@@ -36,7 +36,7 @@ architecture rtl of pair_moments is
   signal moment_lane_cut_unit_minus : signed_18_x2_x12_t;
   signal moment_lane_unit_cut : signed_20_vector_x4_t;
 begin
-  -- Clock 15
+  -- Clock 14
   moment_lane_cut_unit_plus_0_each : for k in 0 to 2 generate
     moment_lane_cut_unit_plus(k)(0) <= coordinate_w0_d1((k + 1) mod 3);
     moment_lane_cut_unit_plus(k)(1) <= coordinate_w1_d1((k + 2) mod 3);
@@ -61,17 +61,17 @@ begin
                 cut => moment_lane_cut(k), too_great => moment_too_great0(k));
   end generate moment_lane_cut_unit;
 
-  -- Clock 18
+  -- Clock 17
   too_great_0_found <= or_reduce(unsigned(moment_too_great0));
 
-  -- Clock 19
-  clock_19 : process (clk)
+  -- Clock 18
+  clock_18 : process (clk)
   begin
     if rising_edge(clk) then
       moment_cut <= moment_lane_cut;
       places_captured <= too_great_0_found;
     end if;
-  end process clock_19;
+  end process clock_18;
   places_i <= '1' when places_captured = '1' else '0';
   moment_lane_unit_cut_0_each : for i in 0 to 2 generate
     moment_lane_unit_cut(0)(i) <= moment_cut(i);
@@ -84,8 +84,8 @@ begin
       port map (cut => moment_lane_unit_cut(k), places => places_i, moment => moment_lane(k));
   end generate moment_lane_unit;
 
-  -- Clock 20
-  clock_20 : process (clk)
+  -- Clock 19
+  clock_19 : process (clk)
   begin
     if rising_edge(clk) then
       moment_m0 <= moment_lane(0);
@@ -93,7 +93,7 @@ begin
       moment_m2 <= moment_lane(2);
       moment_n <= moment_lane(3);
     end if;
-  end process clock_20;
+  end process clock_19;
 
   -- Outputs
   places <= places_i;

@@ -69,8 +69,8 @@ architecture rtl of pair_norms is
   signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
   signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
 begin
-  -- Clock 15
-  clock_15 : process (clk)
+  -- Clock 14
+  clock_14 : process (clk)
   begin
     if rising_edge(clk) then
       for i in 0 to 2 loop
@@ -81,7 +81,7 @@ begin
         norm_x_resized_d1(5)(i) <= resize(coordinate_w2(i), 19);
       end loop;
     end if;
-  end process clock_15;
+  end process clock_14;
   norm_lane_unit_x(0) <= norm_x_0_to_1_resized_d1(0);
   norm_lane_unit_x(1) <= norm_x_0_to_1_resized_d1(1);
   norm_lane_unit_x(2) <= e_a1_d1;
@@ -96,7 +96,7 @@ begin
       port map (clk => clk, x => norm_lane_unit_x(k), norm => norm_lane(k));
   end generate norm_lane_unit;
 
-  -- Clock 16
+  -- Clock 15
   e_a1_each : for i in 0 to 2 generate
     e_a1(i) <= resize(coordinate_v2_d2(i), 19) - resize(coordinate_v1_d2(i), 19);
     e_b(0)(i) <= resize(coordinate_w1_d2(i), 19) - resize(coordinate_w0_d2(i), 19);
@@ -104,16 +104,16 @@ begin
     e_b(2)(i) <= resize(coordinate_w0_d2(i), 19) - resize(coordinate_w2_d2(i), 19);
   end generate e_a1_each;
 
-  -- Clock 17
-  clock_17 : process (clk)
+  -- Clock 16
+  clock_16 : process (clk)
   begin
     if rising_edge(clk) then
       e_a1_d1 <= e_a1;
       e_b_d1 <= e_b;
     end if;
-  end process clock_17;
+  end process clock_16;
 
-  -- Clock 18
+  -- Clock 17
   rest_of_level <=
     to_unsigned(64, 15) when known(level_h3) = 0 else
     to_unsigned(64, 15) when known(level_h3) = 1 else
@@ -124,8 +124,8 @@ begin
     to_unsigned(16384, 15);
   rest_of_level_aligned <= append(rest_of_level, 1);
 
-  -- Clock 19
-  clock_19 : process (clk)
+  -- Clock 18
+  clock_18 : process (clk)
   begin
     if rising_edge(clk) then
       length_measure_i(5) <= norm_lane(6);
@@ -135,28 +135,28 @@ begin
       rest_aligned_second_h1 <= append(rest_of_level_aligned, 1);
       rest_of_level_aligned_h1 <= rest_of_level_aligned;
     end if;
-  end process clock_19;
+  end process clock_18;
   rest <= resize(rest_of_level_aligned_h1, 17) when places = '1' else rest_aligned_second_h1;
 
-  -- Clock 20
-  clock_20 : process (clk)
+  -- Clock 19
+  clock_19 : process (clk)
   begin
     if rising_edge(clk) then
       length_measure_h3 <= length_measure_h2_line(3);
       length_measure_h1 <= length_measure_i;
       rest_h1 <= rest;
     end if;
-  end process clock_20;
+  end process clock_19;
 
-  -- Clock 21
-  clock_21 : process (clk)
+  -- Clock 20
+  clock_20 : process (clk)
   begin
     if rising_edge(clk) then
       length_measure_5_to_8_h2 <= length_measure_h1;
       length_measure_h4 <= length_measure_h3;
       rest_h2 <= rest_h1;
     end if;
-  end process clock_21;
+  end process clock_20;
   length_measure0_plane_a0_unit_v_each : for k in 0 to 1 generate
     length_measure0_plane_a0_unit_v(k) <= length_measure_h4(k);
   end generate length_measure0_plane_a0_unit_v_each;

@@ -5,7 +5,7 @@
 -- the unit. A value captured for the pair is named after what it is; later copies end in _h<clocks>, or are elements
 -- of x_held.
 -- Each section is an entity; delays from one to another are here.
--- Latency: 28 clocks.
+-- Latency: 27 clocks.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -33,13 +33,14 @@ architecture rtl of pair_pipeline is
   signal difference_v1 : signed_33_vector_t;  -- |.| <= 536870912
   signal difference_v2 : signed_33_vector_t;  -- |.| <= 536870912
   signal pose_t_outside : std_logic_vector(2 downto 0);
-  signal pose_m_outside : flag_x3_x3_t;
+  signal pose_m_used_outside : std_logic_vector(2 downto 0);
   signal difference_w0 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w1 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w2 : signed_33_vector_t;  -- |.| <= 2147483644
   signal in_v_outside_h1 : flag_x3_x3_t := zero_flag_x3_x3;
   signal in_w_outside_h1 : flag_x3_x3_t := zero_flag_x3_x3;
-  signal outside_flags : unsigned(29 downto 0);
+  signal pose_m_used_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal outside_flags : unsigned(23 downto 0);
   signal outside_i : std_logic;  -- a number of the pair or its pose is outside its declared range
   signal coordinate_v1 : signed_18_vector_t;  -- |.| <= 131071
   signal coordinate_v2 : signed_18_vector_t;  -- |.| <= 131071
@@ -89,14 +90,15 @@ architecture rtl of pair_pipeline is
   signal level_d5 : unsigned(2 downto 0);
   signal level_d7 : unsigned(2 downto 0);
   signal compared_bound : signed_31_x15_t;  -- |.| <= 67665506
-  signal outside_line : std_logic_vector(1 to 26) := (others => '0');
+  signal outside_line : std_logic_vector(1 to 25) := (others => '0');
 begin
   -- Sections, in the order of the data
   pair_differences_section : entity work.pair_differences
     port map (clk => clk, in_v => in_v, in_w => in_w, pose_m => pose_m, pose_t => pose_t, pose_bypass => pose_bypass,
               in_v_outside => in_v_outside, in_w_outside => in_w_outside, difference_v1 => difference_v1,
-              difference_v2 => difference_v2, pose_t_outside => pose_t_outside, pose_m_outside => pose_m_outside,
-              difference_w0 => difference_w0, difference_w1 => difference_w1, difference_w2 => difference_w2);
+              difference_v2 => difference_v2, pose_t_outside => pose_t_outside,
+              pose_m_used_outside => pose_m_used_outside, difference_w0 => difference_w0,
+              difference_w1 => difference_w1, difference_w2 => difference_w2);
   pair_coordinates_section : entity work.pair_coordinates
     port map (clk => clk, difference_v1 => difference_v1, difference_v2 => difference_v2,
               difference_w0 => difference_w0, difference_w1 => difference_w1, difference_w2 => difference_w2,
@@ -149,16 +151,16 @@ begin
     if rising_edge(clk) then
       in_v_outside_h1 <= in_v_outside;
       in_w_outside_h1 <= in_w_outside;
+      pose_m_used_outside_h1 <= pose_m_used_outside;
     end if;
   end process clock_2;
-  outside_flags <= unsigned(pose_m_outside(2)) & unsigned(pose_m_outside(1)) & unsigned(pose_m_outside(0)) &
-      unsigned(pose_t_outside) & unsigned(in_w_outside_h1(2)) & unsigned(in_w_outside_h1(1)) &
-      unsigned(in_w_outside_h1(0)) & unsigned(in_v_outside_h1(2)) & unsigned(in_v_outside_h1(1)) &
-      unsigned(in_v_outside_h1(0));
+  outside_flags <= unsigned(pose_m_used_outside_h1) & unsigned(pose_t_outside) & unsigned(in_w_outside_h1(2)) &
+      unsigned(in_w_outside_h1(1)) & unsigned(in_w_outside_h1(0)) & unsigned(in_v_outside_h1(2)) &
+      unsigned(in_v_outside_h1(1)) & unsigned(in_v_outside_h1(0));
   outside_i <= or_reduce(outside_flags);
 
-  -- Clock 15
-  clock_15 : process (clk)
+  -- Clock 14
+  clock_14 : process (clk)
   begin
     if rising_edge(clk) then
       coordinate_w0_d1 <= coordinate_w0;
@@ -167,10 +169,10 @@ begin
       coordinate_v1_d1 <= coordinate_v1;
       coordinate_v2_d1 <= coordinate_v2;
     end if;
-  end process clock_15;
+  end process clock_14;
 
-  -- Clock 16
-  clock_16 : process (clk)
+  -- Clock 15
+  clock_15 : process (clk)
   begin
     if rising_edge(clk) then
       coordinate_w0_d2 <= coordinate_w0_d1;
@@ -179,7 +181,7 @@ begin
       coordinate_v2_d2 <= coordinate_v2_d1;
       coordinate_w2_d2 <= coordinate_w2_d1;
     end if;
-  end process clock_16;
+  end process clock_15;
 
   -- Delay lines
   delays : process (clk)
@@ -190,10 +192,10 @@ begin
       coordinate_w1_line <= coordinate_w1_d2 & coordinate_w1_line(1 to 3);
       coordinate_v2_line <= coordinate_v2_d2 & coordinate_v2_line(1 to 3);
       coordinate_w2_line <= coordinate_w2_d2 & coordinate_w2_line(1 to 3);
-      outside_line <= outside_i & outside_line(1 to 25);
+      outside_line <= outside_i & outside_line(1 to 24);
     end if;
   end process delays;
 
   -- Outputs
-  outside <= outside_line(26);
+  outside <= outside_line(25);
 end architecture rtl;

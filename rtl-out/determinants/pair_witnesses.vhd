@@ -55,20 +55,20 @@ architecture rtl of pair_witnesses is
   type sign_12_to_14_line_t is array (1 to 3) of flag_x2_12_to_14_t;
   signal sign_12_to_14_line : sign_12_to_14_line_t := (others => zero_flag_x2_12_to_14);
   signal overlapping_constant : std_logic_vector(2 downto 0);
-  signal separated0_not_line : std_logic_vector(1 to 17) := (others => '0');
+  signal separated0_not_line : std_logic_vector(1 to 16) := (others => '0');
   signal separated_i : std_logic_vector(8 downto 0);
   signal separated1_or_h1 : std_logic := '0';
   signal separated2_or_h1 : std_logic := '0';
-  signal separated1_not_line : std_logic_vector(1 to 23) := (others => '0');
-  type separated_not_line_t is array (1 to 25) of std_logic_vector(8 downto 2);
+  signal separated1_not_line : std_logic_vector(1 to 22) := (others => '0');
+  type separated_not_line_t is array (1 to 24) of std_logic_vector(8 downto 2);
   signal separated_not_line : separated_not_line_t := (others => (others => '0'));
   signal overlapping_i : std_logic_vector(8 downto 0);
-  type overlapping_not_line_t is array (1 to 25) of std_logic_vector(8 downto 3);
+  type overlapping_not_line_t is array (1 to 24) of std_logic_vector(8 downto 3);
   signal overlapping_not_line : overlapping_not_line_t := (others => (others => '0'));
   signal separated0_line : std_logic_vector(1 to 9) := (others => '0');
   signal separated1_line : std_logic_vector(1 to 3) := (others => '0');
   signal separated_h1 : std_logic_vector(8 downto 2) := (others => '0');
-  type overlapping_line_t is array (1 to 26) of std_logic_vector(2 downto 0);
+  type overlapping_line_t is array (1 to 25) of std_logic_vector(2 downto 0);
   signal overlapping_line : overlapping_line_t := (others => (others => '0'));
   signal overlapping_h1 : std_logic_vector(8 downto 3) := (others => '0');
   signal sign_unit_x : signed_41_x15_t;
@@ -90,13 +90,13 @@ begin
   overlapping_i(1) <= overlapping_constant(1) and not outside;
   overlapping_i(2) <= overlapping_constant(2) and not outside;
 
-  -- Clock 16
-  clock_16 : process (clk)
+  -- Clock 15
+  clock_15 : process (clk)
   begin
     if rising_edge(clk) then
       boxes_wrong_d1 <= to_unsigned(boxes_wrong_table(to_integer(known(level))), 5);
     end if;
-  end process clock_16;
+  end process clock_15;
   boxes_lane_unit_v_0_each : for k in 0 to 2 generate
     boxes_lane_unit_v(k)(0) <= coordinate_v1_d2(k);
     boxes_lane_unit_v(k)(1) <= coordinate_v2_d2(k);
@@ -110,18 +110,18 @@ begin
                 apart => boxes_lane(k));
   end generate boxes_lane_unit;
 
-  -- Clock 19
-  clock_19 : process (clk)
+  -- Clock 18
+  clock_18 : process (clk)
   begin
     if rising_edge(clk) then
       boxes_apart_along <= boxes_lane;
     end if;
-  end process clock_19;
+  end process clock_18;
   boxes_apart <= or_reduce(unsigned(boxes_apart_along));
-  separated_i(0) <= boxes_apart and separated0_not_line(17);
+  separated_i(0) <= boxes_apart and separated0_not_line(16);
 
-  -- Clock 24
-  clock_24 : process (clk)
+  -- Clock 23
+  clock_23 : process (clk)
   begin
     if rising_edge(clk) then
       for k in 0 to 3 loop
@@ -137,7 +137,7 @@ begin
         compared_bound_12_to_14_h1(k) <= compared_bound(k);
       end loop;
     end if;
-  end process clock_24;
+  end process clock_23;
   sign_unit_x(0) <= compared_0_to_3_h1(0);
   sign_unit_x(1) <= compared_0_to_3_h1(1);
   sign_unit_x(2) <= compared_0_to_3_h1(2);
@@ -168,8 +168,8 @@ begin
       port map (x => sign_unit_x(k), bound => sign_unit_bound(k), sign => sign(k));
   end generate sign_unit;
 
-  -- Clock 25
-  clock_25 : process (clk)
+  -- Clock 24
+  clock_24 : process (clk)
   begin
     if rising_edge(clk) then
       for k in 3 to 5 loop
@@ -181,11 +181,11 @@ begin
       compared3_h2 <= compared_0_to_3_h1(3);
       separated1_or_h1 <= (sign(0)(0) and sign(1)(0) and sign(2)(0)) or (sign(0)(1) and sign(1)(1) and sign(2)(1));
     end if;
-  end process clock_25;
-  separated_i(1) <= separated1_or_h1 and separated1_not_line(23);
+  end process clock_24;
+  separated_i(1) <= separated1_or_h1 and separated1_not_line(22);
 
-  -- Clock 26
-  clock_26 : process (clk)
+  -- Clock 25
+  clock_25 : process (clk)
   begin
     if rising_edge(clk) then
       for k in 4 to 11 loop
@@ -197,10 +197,10 @@ begin
       compared_bound_h2 <= compared_bound_9_to_11_h1;
       sign3_h1 <= sign(3);
     end if;
-  end process clock_26;
+  end process clock_25;
 
-  -- Clock 27
-  clock_27 : process (clk)
+  -- Clock 26
+  clock_26 : process (clk)
   begin
     if rising_edge(clk) then
       for k in 4 to 11 loop
@@ -209,11 +209,11 @@ begin
       sign3_h2 <= sign3_h1;
       separated2_or_h1 <= (sign3_h1(0) and sign(4)(0) and sign(5)(0)) or (sign3_h1(1) and sign(4)(1) and sign(5)(1));
     end if;
-  end process clock_27;
-  separated_i(2) <= separated2_or_h1 and separated_not_line(25)(2);
+  end process clock_26;
+  separated_i(2) <= separated2_or_h1 and separated_not_line(24)(2);
   separated_i_each : for k in 3 to 8 generate
-    separated_i(k) <= separated_result(k) and separated_not_line(25)(k);
-    overlapping_i(k) <= overlapping_result(k) and overlapping_not_line(25)(k);
+    separated_i(k) <= separated_result(k) and separated_not_line(24)(k);
+    overlapping_i(k) <= overlapping_result(k) and overlapping_not_line(24)(k);
   end generate separated_i_each;
   separated_result_unit_ends(3)(0) <= sign3_h2;
   separated_result_unit_ends(3)(1) <= sign_h1(4);
@@ -243,8 +243,8 @@ begin
                 missed => separated_result(k), pierces => overlapping_result(k));
   end generate separated_result_unit;
 
-  -- Clock 28
-  clock_28 : process (clk)
+  -- Clock 27
+  clock_27 : process (clk)
   begin
     if rising_edge(clk) then
       for k in 2 to 8 loop
@@ -254,15 +254,15 @@ begin
         overlapping_h1(k) <= overlapping_i(k);
       end loop;
     end if;
-  end process clock_28;
+  end process clock_27;
   verdict_unit_separated(0) <= separated0_line(9);
   verdict_unit_separated(1) <= separated1_line(3);
   verdict_unit_separated_each : for k in 2 to 8 generate
     verdict_unit_separated(k) <= separated_h1(k);
   end generate verdict_unit_separated_each;
-  verdict_unit_overlapping(0) <= overlapping_line(26)(0);
-  verdict_unit_overlapping(1) <= overlapping_line(26)(1);
-  verdict_unit_overlapping(2) <= overlapping_line(26)(2);
+  verdict_unit_overlapping(0) <= overlapping_line(25)(0);
+  verdict_unit_overlapping(1) <= overlapping_line(25)(1);
+  verdict_unit_overlapping(2) <= overlapping_line(25)(2);
   verdict_unit_overlapping_each : for k in 3 to 8 generate
     verdict_unit_overlapping(k) <= overlapping_h1(k);
   end generate verdict_unit_overlapping_each;
@@ -285,22 +285,22 @@ begin
         sign_12_to_14_line(1)(k) <= sign(k);
       end loop;
       sign_12_to_14_line(2 to 3) <= sign_12_to_14_line(1 to 2);
-      separated0_not_line <= not outside & separated0_not_line(1 to 16);
-      separated1_not_line <= not outside & separated1_not_line(1 to 22);
+      separated0_not_line <= not outside & separated0_not_line(1 to 15);
+      separated1_not_line <= not outside & separated1_not_line(1 to 21);
       for k in 2 to 8 loop
         separated_not_line(1)(k) <= not outside;
       end loop;
-      separated_not_line(2 to 25) <= separated_not_line(1 to 24);
+      separated_not_line(2 to 24) <= separated_not_line(1 to 23);
       for k in 3 to 8 loop
         overlapping_not_line(1)(k) <= not outside;
       end loop;
-      overlapping_not_line(2 to 25) <= overlapping_not_line(1 to 24);
+      overlapping_not_line(2 to 24) <= overlapping_not_line(1 to 23);
       separated0_line <= separated_i(0) & separated0_line(1 to 8);
       separated1_line <= separated_i(1) & separated1_line(1 to 2);
       for k in 0 to 2 loop
         overlapping_line(1)(k) <= overlapping_i(k);
       end loop;
-      overlapping_line(2 to 26) <= overlapping_line(1 to 25);
+      overlapping_line(2 to 25) <= overlapping_line(1 to 24);
     end if;
   end process delays;
 
@@ -310,9 +310,9 @@ begin
   separated_each : for k in 2 to 8 generate
     separated(k) <= separated_h1(k);
   end generate separated_each;
-  overlapping(0) <= overlapping_line(26)(0);
-  overlapping(1) <= overlapping_line(26)(1);
-  overlapping(2) <= overlapping_line(26)(2);
+  overlapping(0) <= overlapping_line(25)(0);
+  overlapping(1) <= overlapping_line(25)(1);
+  overlapping(2) <= overlapping_line(25)(2);
   overlapping_each : for k in 3 to 8 generate
     overlapping(k) <= overlapping_h1(k);
   end generate overlapping_each;

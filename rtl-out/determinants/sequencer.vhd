@@ -44,7 +44,7 @@ architecture rtl of sequencer is
   signal full : std_logic;
   signal accepts : std_logic;
   signal accept_pair : std_logic;
-  signal holds : std_logic_vector(27 downto 0) := (others => '0');
+  signal holds : std_logic_vector(26 downto 0) := (others => '0');
   signal decide_pair : std_logic := '0';
   signal empty_if_moved : std_logic := '1';
   signal empty_if_still : std_logic := '1';
@@ -77,7 +77,7 @@ begin
         taken_moved <= '0';
         full_if_moved <= '0';
         full_if_still <= '0';
-        for k in 0 to 27 loop
+        for k in 0 to 26 loop
           holds(k) <= '0';
         end loop;
         decide_pair <= '0';
@@ -92,8 +92,8 @@ begin
         taken_moved <= take_pair;
         full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
         full_if_still <= flag(known(accepted) = known(taken_turned));
-        holds <= holds(26 downto 0) & accept_pair;
-        decide_pair <= holds(27);
+        holds <= holds(25 downto 0) & accept_pair;
+        decide_pair <= holds(26);
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;

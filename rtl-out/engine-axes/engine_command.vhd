@@ -255,6 +255,21 @@ begin
           behind <= '1';
         end if;
       end if;
+      -- Of a header that is taken; one that is not taken yet has them, too, as nothing looks at them before its next word.
+      if at_header = '1' and moving = '0' then
+        place <= "000001";
+        if head_kind(is_pose) = '1' then
+          place <= to_unsigned(pose_word, 6);
+        elsif head_kind(is_pairs) = '1' then
+          place <= pair_place;
+        end if;
+        at_options <= '0';
+        at_record <= head_kind(is_pose) or head_kind(is_pairs);
+        at_record_end <= '0';
+        at_rows <= '0';
+        at_end <= '0';
+        behind <= '0';
+      end if;
       if moving = '1' and at_end = '1' then
         moving <= '0';
         occupied <= '0';
@@ -274,13 +289,6 @@ begin
         found := fault;
         answer_short := short;
         if expectation = header_state then
-          place <= "000001";
-          at_options <= '0';
-          at_record <= '0';
-          at_record_end <= '0';
-          at_rows <= '0';
-          at_end <= '0';
-          behind <= '0';
           answer_short := head_kind(is_short);
           short <= head_kind(is_short);
           gathers <= head_kind(is_query) or head_kind(is_pose) or head_kind(is_pairs);
@@ -291,15 +299,11 @@ begin
             end if;
           elsif head_kind(is_pose) = '1' then
             next_expectation := pose_state;
-            place <= to_unsigned(pose_word, 6);
-            at_record <= '1';
             if head_last = '1' then
               found := too_short;
             end if;
           elsif head_kind(is_pairs) = '1' then
             next_expectation := pair_state;
-            place <= pair_place;
-            at_record <= '1';
             if head_last = '1' then
               found := too_short;
             end if;

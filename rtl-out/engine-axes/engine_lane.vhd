@@ -10,14 +10,14 @@
 -- at most 3 (32 - l) + 1 entries above what lay below it, and entries of level 32 push nothing:
 -- used <= 415 + 3 x 32 + 1 = 512 at all times.
 --
--- The oldest query comes first. A younger one pops only what the queue of its leaf pairs has room for, even if each of its
--- pairs in flight sends four: so none waits for that queue in front of the oldest query's. And it pops only while few pairs
--- wait for their blocks, so that those of the oldest do not wait behind many.
+-- The oldest query comes first. While a queue of leaf pairs is full no pair comes into any, so a younger query does not fill its own:
+-- it is popped only if queued + 4 (flying + 1) < 128. And it pops only while few pairs wait for their blocks, so that those of the
+-- oldest do not wait behind many.
 --
--- The lane is chosen in one clock (engine_issue) and its pair popped in a later one, and what frees room is counted a clock late.
--- Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted, while a record has sent three of its four:
--- so the lane is chosen only if there are 3 places more than the rule asks for. Right behind a pop of its own the lane pops only if
--- there is plenty.
+-- The lane is chosen in one clock (engine_issue) and its pair popped in a later one, and what frees room is counted a clock late or
+-- two. Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted, while a record has sent three of its
+-- four: so the lane is chosen only if there are 3 places more than the rules ask for. Right behind a pop of its own the lane pops only
+-- if there is plenty.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -50,7 +50,7 @@ entity engine_lane is
     nodes_finished : in std_logic;  -- the last of its record
     sends_pair : in std_logic;  -- a pair of leaves goes into its queue
     leaves_finished : in std_logic;  -- a record of leaves is finished
-    pair_left : in std_logic;  -- a pair leaves the queue
+    pair_left : in std_logic;  -- a clock ago a pair left the queue
     -- State.
     idle : out std_logic := '1';  -- a clock ago nothing was in flight, and nothing was to be popped
     limit_reached : out std_logic := '0';
@@ -77,7 +77,7 @@ architecture rtl of engine_lane is
   signal many : std_logic;  -- three entries or more
   signal room : unsigned(room_bits - 1 downto 0) := (others => '0');  -- wide - 6 - used - 4 flying in two's complement: not negative while a pair may be popped although others of the lane fly
   signal plenty : std_logic := '0';  -- it was at least 16 a clock ago
-  signal pair_room : unsigned(pair_room_bits - 1 downto 0) := (others => '0');  -- the same of the queue of leaf pairs: pairs - 7 - those in it - 4 flying
+  signal pair_room : unsigned(pair_room_bits - 1 downto 0) := (others => '0');  -- the same of the queue of leaf pairs: pairs - 8 - those in it - 4 flying
   signal pair_plenty : std_logic := '0';  -- it was at least 32 a clock ago
   signal flying : unsigned(flight_bits + 1 downto 0) := (others => '0');
   signal nothing_flies : std_logic := '1';
@@ -85,15 +85,10 @@ architecture rtl of engine_lane is
   signal last_one : std_logic := '0';  -- the next expansion is the last
   signal few_left : std_logic := '0';  -- a clock ago there were less than eight
   signal spent : std_logic := '0';  -- no expansion more
-  -- What a clock has changed, counted in the next one.
-  signal pushed : std_logic := '0';
-  signal pushed_all : std_logic := '0';  -- a record that is pushed is finished
-  signal pair_gone : std_logic := '0';  -- a pair has left the queue
-  signal pair_sent : std_logic := '0';  -- a pair has gone into it
-  signal sent_all : std_logic := '0';  -- a record of leaves is finished
-  signal no_nodes : std_logic := '0';  -- an answer without a record that is pushed
-  signal no_leaves : std_logic := '0';  -- an answer without a record of leaves
-  signal both_records : std_logic := '0';  -- an answer with both
+  -- What a clock changes but for a pop, counted in the next one: a sum is short, or alone in its clock.
+  signal freed : signed(4 downto 0) := "00000";  -- places of the stack
+  signal pairs_freed : signed(4 downto 0) := "00000";  -- places of the queue of leaf pairs
+  signal records : signed(2 downto 0) := "000";  -- that are more than before; a pair in flight counts as one
 begin
   lives <= not ending and not ended and not spent;  -- what the last query has left on the stack goes with start
   may_pop <= may_start when chosen = '0' else may_follow;
@@ -131,7 +126,7 @@ begin
   count : process (clk)
     variable change : integer range -1 to 9;
     variable pair_change : integer range -1 to 9;
-    variable records : integer range -3 to 1;  -- that are more than before; a pair in flight counts as one
+    variable more : integer range -3 to 1;
     variable steady : unsigned(flight_bits + 1 downto 0);  -- pairs in flight and records but for a pop
   begin
     if rising_edge(clk) then
@@ -147,47 +142,47 @@ begin
         end if;
         spent <= last_one;
       end if;
-      pushed <= push;
-      pushed_all <= nodes_finished;
-      pair_gone <= pair_left;
-      pair_sent <= sends_pair;
-      sent_all <= leaves_finished;
-      no_nodes <= met and not brings_nodes;
-      no_leaves <= met and not brings_leaves;
-      both_records <= met and brings_nodes and brings_leaves;
       -- A push takes one place, a record that is finished frees four, and a pop, below, frees one and reserves four. In the
       -- queue of leaf pairs a pop reserves four.
       change := 0;
       pair_change := 0;
-      records := 0;
-      if pushed = '1' then
+      more := 0;
+      if push = '1' then
         change := change - 1;
       end if;
-      if pushed_all = '1' then
+      if nodes_finished = '1' then
         change := change + 4;
-        records := records - 1;
+        more := more - 1;
       end if;
-      if no_nodes = '1' then
+      if (met and not brings_nodes) = '1' then
         change := change + 4;
       end if;
-      if pair_gone = '1' then
+      if pair_left = '1' then
         pair_change := pair_change + 1;
       end if;
-      if pair_sent = '1' then
+      if sends_pair = '1' then
         pair_change := pair_change - 1;
       end if;
-      if sent_all = '1' then
+      if leaves_finished = '1' then
         pair_change := pair_change + 4;
-        records := records - 1;
+        more := more - 1;
       end if;
-      if no_leaves = '1' then
+      if (met and not brings_leaves) = '1' then
         pair_change := pair_change + 4;
       end if;
-      if both_records = '1' then
-        records := records + 1;
-      elsif (no_nodes and no_leaves) = '1' then
-        records := records - 1;
+      if (met and brings_nodes and brings_leaves) = '1' then
+        more := more + 1;
+      elsif (met and not brings_nodes and not brings_leaves) = '1' then
+        more := more - 1;
       end if;
+      if reset = '1' or start = '1' then
+        change := 0;
+        pair_change := 0;
+        more := 0;
+      end if;
+      freed <= to_signed(change, 5);
+      pairs_freed <= to_signed(pair_change, 5);
+      records <= to_signed(more, 3);
       few_left <= '0';
       if allowed(31 downto 3) = 0 then
         few_left <= '1';
@@ -203,26 +198,18 @@ begin
       steady := unsigned(signed(flying) + records);
       if reset = '1' or start = '1' then
         room <= unsigned(to_signed(wide - 6, room_bits));
-        pair_room <= to_unsigned(pairs - 7, pair_room_bits);
-        pushed <= '0';
-        pushed_all <= '0';
-        pair_gone <= '0';
-        pair_sent <= '0';
-        sent_all <= '0';
-        no_nodes <= '0';
-        no_leaves <= '0';
-        both_records <= '0';
+        pair_room <= to_unsigned(pairs - 8, pair_room_bits);
         flying <= (others => '0');
         nothing_flies <= '1';
       else
         if pop = '1' then
-          room <= unsigned(signed(room) + (change - 3));
-          pair_room <= unsigned(signed(pair_room) + (pair_change - 4));
+          room <= unsigned(signed(room) + (freed - 3));
+          pair_room <= unsigned(signed(pair_room) + (pairs_freed - 4));
           flying <= steady + 1;
           nothing_flies <= '0';
         else
-          room <= unsigned(signed(room) + change);
-          pair_room <= unsigned(signed(pair_room) + pair_change);
+          room <= unsigned(signed(room) + freed);
+          pair_room <= unsigned(signed(pair_room) + pairs_freed);
           flying <= steady;
           nothing_flies <= '0';
           if steady = 0 then

@@ -32,7 +32,7 @@ entity engine_pairs is
     pair_lane : in std_logic_vector(lane_bits - 1 downto 0);
     pair_a : in std_logic_vector(27 downto 0);
     pair_b : in std_logic_vector(27 downto 0);
-    pair_left : out std_logic_vector(lanes - 1 downto 0);  -- one leaves the queue of the lane, or passes by it
+    pair_left : out std_logic_vector(lanes - 1 downto 0) := (others => '0');  -- a clock ago one left the queue of the lane, or passed by it
     -- Triangles, those of the front lane.
     front : out std_logic_vector(lane_bits - 1 downto 0);
     request_valid : out std_logic;
@@ -71,21 +71,27 @@ architecture rtl of engine_pairs is
   type lane_counts is array (0 to lanes - 1) of unsigned(place_bits downto 0);
   signal waiting : lane_counts := (others => (others => '0'));  -- in the queue
   signal some_wait : flags := (others => '0');
-  signal full : flags := (others => '0');
+  signal full : flags := (others => '0');  -- that of the oldest query can be, and then all pairs wait
   signal write_place : unsigned(lane_bits + place_bits - 1 downto 0);
   signal fetch_place : unsigned(lane_bits + place_bits - 1 downto 0);
+  signal none_full : std_logic;
   signal accepts : std_logic;
   signal passes : std_logic;  -- it is the next one of the front lane, and passes by its queue
   signal fetches : std_logic;
   signal goes_on : std_logic;  -- one is fetched, or one passes, which comes and goes in one clock
-  -- The first pair of the front lane, and the one behind it: a memory is far from where its word goes.
+  -- The first pair of the front lane and the two behind it: a memory is far from where its word goes, and that the first one
+  -- leaves is known late in a clock, so that one more is read whenever there is a place.
   signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal is_front : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
+  signal front_is_oldest : std_logic := '1';  -- front_lane = oldest
   signal next_lane : unsigned(lane_bits - 1 downto 0);
   signal front_ending : std_logic;
   signal front_waits : std_logic;
   signal next_pair : std_logic_vector(55 downto 0) := (others => '0');
   signal next_valid : std_logic := '0';
+  signal read_pair : std_logic_vector(55 downto 0) := (others => '0');
+  signal read_valid : std_logic := '0';
+  signal held : std_logic;  -- one of them is there
   signal moves : std_logic;
   signal head : std_logic_vector(55 downto 0) := (others => '0');
   signal head_valid : std_logic := '0';
@@ -117,9 +123,11 @@ architecture rtl of engine_pairs is
 begin
   write_place <= unsigned(pair_lane) & written(to_integer(unsigned(pair_lane)));
   fetch_place <= front_lane & fetched(to_integer(front_lane));
-  passes <= pair_valid and is_front(to_integer(unsigned(pair_lane))) and moves and not (front_waits or next_valid);
-  accepts <= pair_valid and not full(to_integer(unsigned(pair_lane)));
-  pair_ready <= not full(to_integer(unsigned(pair_lane)));
+  none_full <= '1' when full = nobody else '0';
+  pair_ready <= none_full;
+  accepts <= pair_valid and none_full;
+  passes <= accepts and is_front(to_integer(unsigned(pair_lane))) and not (held or front_waits);
+  held <= head_valid or next_valid or read_valid;
   front_ending <= '0' when (ending and is_front) = nobody else '1';
   front_waits <= '0' when (some_wait and is_front) = nobody else '1';
   asks <= head_valid and not front_ending;
@@ -129,7 +137,7 @@ begin
   request_b <= head(27 downto 0);
   moves <= request_ready or not head_valid;
   -- What an ending query fetches here is forgotten in the same clock.
-  fetches <= front_waits and (moves or not next_valid);
+  fetches <= front_waits and not (next_valid and read_valid);
   goes_on <= fetches or passes;
   front <= std_logic_vector(front_lane);
 
@@ -146,26 +154,23 @@ begin
   next_lane <= front_lane + 1;
   advance_free <= '1' when (some_open or opened) = nobody else
     not (leaves_only(to_integer(front_lane)) or leaves_only(to_integer(next_lane)));
-  ends_front <= retire when front_lane = unsigned(oldest) else '0';
-  -- While pairs of the front lane wait in the queue, another one is held or its pose is not there yet.
-  may_advance <= has_pose and traversed(to_integer(front_lane)) and advance_free and not (head_valid or next_valid)
+  ends_front <= retire and front_is_oldest;
+  may_advance <= has_pose and traversed(to_integer(front_lane)) and advance_free and not (held or front_waits)
     and started(to_integer(next_lane)) when next_lane /= unsigned(oldest) else '0';
 
   each_lane : for lane in 0 to lanes - 1 generate
   begin
-    pair_left(lane) <= goes_on and is_front(lane);
-
     rest : process (clk)
     begin
       if rising_edge(clk) then
         idle(lane) <= not some_open(lane) and not opened(lane) and not some_wait(lane)
-          and not (is_front(lane) and (head_valid or next_valid or (posed(lane) and not has_pose)));
+          and not (is_front(lane) and (held or (posed(lane) and not has_pose)));
       end if;
     end process rest;
   end generate each_lane;
   reads <= '1' when some_wait(to_integer(unsigned(oldest))) = '1'
-    or (front_lane = unsigned(oldest) and ((head_valid or next_valid) = '1' or of_front /= 0))
-    or (front_lane /= unsigned(oldest) and some_of_last = '1') else '0';
+    or (front_is_oldest = '1' and (held = '1' or of_front /= 0))
+    or (front_is_oldest = '0' and some_of_last = '1') else '0';
 
   remember : process (clk)
   begin
@@ -174,12 +179,17 @@ begin
         queue(to_integer(write_place)) <= pair_a & pair_b;
       end if;
       if fetches = '1' then
-        next_pair <= queue(to_integer(fetch_place));
+        read_pair <= queue(to_integer(fetch_place));
+      end if;
+      if (moves or not next_valid) = '1' then
+        next_pair <= read_pair;
       end if;
       if moves = '1' then
         head <= pair_a & pair_b;
         if next_valid = '1' then
           head <= next_pair;
+        elsif read_valid = '1' then
+          head <= read_pair;
         end if;
       end if;
     end if;
@@ -196,15 +206,16 @@ begin
   begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
-        comes := (pair_valid and not full(lane)) = '1' and unsigned(pair_lane) = lane;
+        comes := accepts = '1' and unsigned(pair_lane) = lane;
         goes := (goes_on and is_front(lane)) = '1';
+        pair_left(lane) <= goes_on and is_front(lane) and not reset;
         if comes then
           written(lane) <= written(lane) + 1;
         end if;
         if goes then
           fetched(lane) <= fetched(lane) + 1;
         end if;
-        -- Whether one goes is known late in a clock: what it chooses between is there before.
+        -- Whether one goes is known after whether one comes: what it chooses between is there before.
         kept := waiting(lane);
         left := waiting(lane) - 1;
         if comes then
@@ -268,12 +279,14 @@ begin
         end if;
       end loop;
       if moves = '1' then
-        head_valid <= next_valid or passes;
+        head_valid <= next_valid or read_valid or passes;
       end if;
-      next_valid <= fetches or (next_valid and not moves);
+      next_valid <= (next_valid and not moves) or (read_valid and (next_valid or not moves));
+      read_valid <= fetches or (read_valid and next_valid and not moves);
       if front_ending = '1' then
         head_valid <= '0';
         next_valid <= '0';
+        read_valid <= '0';
       end if;
       left_of_last := of_last;
       left_of_front := of_front;
@@ -310,17 +323,24 @@ begin
         end if;
         has_pose <= '0';
       end if;
+      if advances = '1' and retire = '0' then
+        front_is_oldest <= '0';
+      elsif advances = '0' and retire = '1' and front_is_oldest = '0' and front_lane = unsigned(oldest) + 1 then
+        front_is_oldest <= '1';
+      end if;
       if reset = '1' then
         left_of_last := (others => '0');
         left_of_front := (others => '0');
         some_of_last <= '0';
         front_lane <= unsigned(oldest);
         is_front <= oldest_flags;
+        front_is_oldest <= '1';
         triangles_of <= unsigned(oldest);
         has_pose <= '0';
         advances <= '0';
         head_valid <= '0';
         next_valid <= '0';
+        read_valid <= '0';
       end if;
       of_last <= left_of_last;
       of_front <= left_of_front;

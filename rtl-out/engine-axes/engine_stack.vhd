@@ -55,15 +55,15 @@ begin
   grows <= push and not pop;
   shrinks <= pop and not push;
   changes <= push xor pop;
-  -- With a push and a pop at once the memory is not asked.
+  -- With a push and a pop at once nothing is read, and what is written is written again before it is read.
   place <= push_place when push = '1' else pop_place;
   third <= pushed_over when last_was_push = '1' else remembered;
 
   remember : process (clk)
   begin
     if rising_edge(clk) then
-      -- A push onto fewer than two entries writes where nothing is read before it is written again.
-      if grows = '1' then
+      -- So is what a push onto fewer than two entries writes.
+      if push = '1' then
         memory(to_integer(place)) <= second;
       end if;
       if shrinks = '1' then

@@ -45,7 +45,7 @@ entity engine_traverse is
     pair_valid : out std_logic;
     pair_ready : in std_logic;
     pair_lane : out std_logic_vector(lane_bits - 1 downto 0);
-    pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a pair leaves the queue of its lane
+    pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a clock ago a pair left the queue of its lane
     pair_a : out std_logic_vector(27 downto 0);  -- number of the triangle
     pair_b : out std_logic_vector(27 downto 0);
     -- State and events, each of one clock.

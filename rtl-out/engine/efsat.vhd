@@ -5,11 +5,11 @@
 -- EFSAT: exact triangle-triangle intersection test in fixed-point arithmetic.
 -- The signs of fifteen determinants with bounds on their errors; a definite answer is never wrong.
 --
--- One pair every 3 clocks, verdict 44 clocks after acceptance.
+-- One pair every 3 clocks, verdict 43 clocks after acceptance.
 --
 -- Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock
 -- in which in_valid and in_ready are both set; keep valid and data until then. in_ready comes once per slot
--- (3 clocks) while one of the 32 places of the result queue is free.
+-- (3 clocks) while one of the 16 places of the result queue is free.
 -- Verdicts come in input order, each with its tag: taken in a clock in which out_valid and out_ready are both set.
 --   out_verdict 00 separate, 01 intersect, 10 possibly incorrect (treat as intersecting, retest if it matters).
 --   out_separated, out_overlapping: what each witness said, bit i for witness i: boxes, plane of A, plane of B, edges
@@ -91,9 +91,9 @@ architecture rtl of efsat is
   signal control_accept : std_logic;
   signal control_decide : std_logic;
   signal control_take : std_logic;
-  signal control_accept_address : unsigned(4 downto 0);
-  signal control_decide_address : unsigned(4 downto 0);
-  signal control_take_address : unsigned(4 downto 0);
+  signal control_accept_address : unsigned(3 downto 0);
+  signal control_decide_address : unsigned(3 downto 0);
+  signal control_take_address : unsigned(3 downto 0);
   signal control_pose_load : std_logic;
   signal control_pose_ready : std_logic;  -- a pose can be accepted
   signal pair_v : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28
@@ -109,14 +109,14 @@ architecture rtl of efsat is
   signal path_separated : std_logic_vector(8 downto 0);
   signal path_overlapping : std_logic_vector(8 downto 0);
   signal result_word : unsigned(20 downto 0);
-  type result_queue_words_t is array (0 to 31) of unsigned(20 downto 0);
+  type result_queue_words_t is array (0 to 15) of unsigned(20 downto 0);
   signal result_queue_words : result_queue_words_t := (others => (others => '0'));
   signal result_queue : unsigned(20 downto 0);  -- verdict and flags of the pairs decided and not yet taken
   signal offered_word : unsigned(20 downto 0) := (others => '0');
   signal offered_verdict : unsigned(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
   signal offered_separated : unsigned(8 downto 0);  -- bit i: of witness i
   signal offered_overlapping : unsigned(8 downto 0);  -- bit i: of witness i
-  type tag_queue_words_t is array (0 to 31) of unsigned(57 downto 0);
+  type tag_queue_words_t is array (0 to 15) of unsigned(57 downto 0);
   signal tag_queue_words : tag_queue_words_t := (others => (others => '0'));
   signal tag_queue : unsigned(57 downto 0);  -- tags of the pairs accepted and not yet taken
   signal offered_tag : unsigned(57 downto 0) := (others => '0');  -- the host's; comes back with the verdict

@@ -33,7 +33,7 @@ entity efsat_engine_tb is
     vectors : string := "efsat_engine_tb.vec";
     answers : string := "";  -- a file for all words that come out, each with its TLAST and its clock
     compared : boolean := true;  -- answers, with those in the file
-    patience : natural := 20236;  -- clocks without a transfer before giving up
+    patience : natural := 20232;  -- clocks without a transfer before giving up
     latency_least : positive := 30;
     latency_most : positive := 30;
     hang : positive := 100000;

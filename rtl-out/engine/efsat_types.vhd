@@ -10,6 +10,8 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 package efsat_types is
+  type unsigned_3_x2_t is array (0 to 1) of unsigned(2 downto 0);
+  constant zero_unsigned_3_x2 : unsigned_3_x2_t := (others => (others => '0'));
   type unsigned_20_x2_t is array (0 to 1) of unsigned(19 downto 0);
   type unsigned_21_x2_t is array (0 to 1) of unsigned(20 downto 0);
   constant zero_unsigned_21_x2 : unsigned_21_x2_t := (others => (others => '0'));
@@ -46,7 +48,6 @@ package efsat_types is
   constant zero_signed_31_x3 : signed_31_x3_t := (others => (others => '0'));
   type signed_32_x3_t is array (0 to 2) of signed(31 downto 0);
   constant zero_signed_32_x3 : signed_32_x3_t := (others => (others => '0'));
-  type signed_33_x3_t is array (0 to 2) of signed(32 downto 0);
   type signed_34_x3_t is array (0 to 2) of signed(33 downto 0);
   type signed_38_x3_t is array (0 to 2) of signed(37 downto 0);
   constant zero_signed_38_x3 : signed_38_x3_t := (others => (others => '0'));
@@ -137,12 +138,6 @@ package efsat_types is
   type flag_x2_x5_t is array (0 to 4) of std_logic_vector(1 downto 0);
   type signed_19_vector_x5_t is array (0 to 4) of signed_19_vector_t;
   constant zero_signed_19_vector_x5 : signed_19_vector_x5_t := (others => zero_signed_19_vector);
-  type flag_2_to_8_x12_t is array (0 to 11) of std_logic_vector(8 downto 2);
-  constant zero_flag_2_to_8_x12 : flag_2_to_8_x12_t := (others => (others => '0'));
-  type flag_3_to_8_x12_t is array (0 to 11) of std_logic_vector(8 downto 3);
-  constant zero_flag_3_to_8_x12 : flag_3_to_8_x12_t := (others => (others => '0'));
-  type flag_x3_x13_t is array (0 to 12) of std_logic_vector(2 downto 0);
-  constant zero_flag_x3_x13 : flag_x3_x13_t := (others => (others => '0'));
   type flag_x2_x15_t is array (0 to 14) of std_logic_vector(1 downto 0);
   constant zero_flag_x2_x15 : flag_x2_x15_t := (others => (others => '0'));
   type signed_32_x3_1_to_2_t is array (1 to 2) of signed_32_x3_t;

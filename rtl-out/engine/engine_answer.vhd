@@ -109,7 +109,8 @@ architecture rtl of engine_answer is
   signal drops : std_logic := '0';
   signal all_speak : std_logic := '0';
   signal one_contact : std_logic := '0';
-  signal place : unsigned(2 downto 0) := "000";  -- of the next word of the report
+  constant first_word : std_logic_vector(7 downto 0) := x"01";
+  signal turn : std_logic_vector(7 downto 0) := first_word;  -- of the words of the report: the next one has it
   signal sent : std_logic := '0';
   type report_words is array (0 to 7) of std_logic_vector(63 downto 0);
   signal report_word : report_words;
@@ -215,15 +216,22 @@ begin
   report_word(5) <= std_logic_vector(triangles_read) & std_logic_vector(counter(triangles_asked_at)(30 downto 0)) & '0';
   report_word(6) <= std_logic_vector(counter(starved_at)) & std_logic_vector(counter(words_at));
   report_word(7) <= x"0000" & std_logic_vector(greatest_stack) & std_logic_vector(counter(stalled_at));
-  ends <= '1' when place = 7 or short = '1' else '0';
+  ends <= turn(7) or short;
   report_done <= sent;
 
   offer : process (clk)
+    variable said : std_logic_vector(63 downto 0);
   begin
     if rising_edge(clk) then
+      said := (others => '0');
+      for i in 0 to 7 loop
+        if turn(i) = '1' then
+          said := said or report_word(i);
+        end if;
+      end loop;
       if free = '1' then
         if report_due = '1' then
-          offered_word <= report_word(to_integer(place));
+          offered_word <= said;
         else
           offered_word <= head_numbers & "000" & head_outside & "00" & head_verdict;
         end if;
@@ -234,17 +242,17 @@ begin
       end if;
       if reset = '1' then
         offered <= '0';
-        place <= "000";
+        turn <= first_word;
         sent <= '0';
       elsif (forgets or restart) = '1' then
-        place <= "000";
+        turn <= first_word;
         sent <= '0';
         offered <= offered and not free;
       else
         if free = '1' then
           offered <= (report_due and not sent) or speaks;
           if report_due = '1' and sent = '0' and short = '0' then
-            place <= place + 1;
+            turn <= turn(6 downto 0) & turn(7);
           end if;
         end if;
         if report_due = '0' then

@@ -49,7 +49,7 @@ entity engine_issue is
     sends_pair : in std_logic;  -- one goes into the queue of its lane
     leaves_finished : in std_logic;  -- a record is finished
     leaf_lane : in std_logic_vector(lane_bits - 1 downto 0);
-    pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a pair leaves the queue of its lane
+    pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a clock ago a pair left the queue of its lane
     -- State and events, each of one clock.
     idle : out std_logic_vector(lanes - 1 downto 0);  -- a clock ago nothing was in flight, and nothing was to be popped
     waiting : out std_logic;  -- something is in flight
@@ -89,11 +89,8 @@ architecture rtl of engine_issue is
   signal nearly_all_fly : std_logic := '0';  -- but for one
   signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit
   signal crowded : std_logic := '0';  -- so many that a younger query waits
-  -- What a clock has changed in the records of all lanes, counted in the next one.
-  signal one_more : std_logic := '0';
-  signal met_nothing : std_logic := '0';
-  signal pushed_one : std_logic := '0';
-  signal sent_one : std_logic := '0';
+  -- So many records of all lanes more than a clock before, a pair in flight as one; counted a clock later.
+  signal records : signed(2 downto 0) := "000";
   signal issued : std_logic := '0';  -- a pair that was popped and whose blocks are asked for
   signal issued_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal issued_entry : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
@@ -180,7 +177,7 @@ begin
   waiting <= '0' when flying = 0 else '1';
 
   issue : process (clk)
-    variable records : integer range -3 to 1;  -- that are more than before; a pair in flight counts as one
+    variable more : integer range -3 to 1;
     variable steady : unsigned(flight_bits + 1 downto 0);  -- pairs in flight and records but for a pop
   begin
     if rising_edge(clk) then
@@ -190,23 +187,22 @@ begin
         issued_lane <= chosen_lane;
         issued_entry <= chosen_entry;
       end if;
-      records := 0;
-      if one_more = '1' then
-        records := records + 1;
+      more := 0;
+      if (brings_nodes and brings_leaves) = '1' then
+        more := 1;
+      elsif (met and not brings_nodes and not brings_leaves) = '1' then
+        more := -1;
       end if;
-      if met_nothing = '1' then
-        records := records - 1;
+      if nodes_finished = '1' then
+        more := more - 1;
       end if;
-      if pushed_one = '1' then
-        records := records - 1;
+      if leaves_finished = '1' then
+        more := more - 1;
       end if;
-      if sent_one = '1' then
-        records := records - 1;
+      if reset = '1' then
+        more := 0;
       end if;
-      one_more <= brings_nodes and brings_leaves and not reset;
-      met_nothing <= met and not brings_nodes and not brings_leaves and not reset;
-      pushed_one <= nodes_finished and not reset;
-      sent_one <= leaves_finished and not reset;
+      records <= to_signed(more, 3);
       steady := unsigned(signed(flying) + records);
       if reset = '1' then
         flying <= (others => '0');

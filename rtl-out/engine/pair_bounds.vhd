@@ -12,13 +12,13 @@ entity pair_bounds is
   port (
     clk                             : in  std_logic;
     strobe                          : in  std_logic_vector(2 downto 0);  -- one flag per phase
-    row_m_select_at_2               : in  unsigned(1 downto 0);
+    row_m_select_at_1               : in  unsigned(1 downto 0);
     places                          : in  std_logic;
     moment_m0                       : in  signed_18_vector_t;  -- |.| <= 131072
     moment_m2                       : in  signed_18_vector_t;  -- |.| <= 131072
     moment_m1                       : in  signed_18_vector_t;  -- |.| <= 131072
     moment_n                        : in  signed_18_vector_t;  -- |.| <= 131072
-    lane1_select_at_2               : in  std_logic;
+    lane1_select_at_1               : in  std_logic;
     length_measure                  : in  unsigned_21_x8_t;
     length_measure8_h3              : in  unsigned(20 downto 0);
     length_measure0_plane_a0        : in  unsigned(23 downto 0);
@@ -31,8 +31,8 @@ entity pair_bounds is
     bound_side10_result             : in  unsigned(24 downto 0);
     bound_side11_result             : in  unsigned(24 downto 0);
     bound_side12_result             : in  unsigned(24 downto 0);
-    level_h4_d1                     : in  unsigned(2 downto 0);
-    level_h4_d4                     : in  unsigned(2 downto 0);
+    level_h2_d1                     : in  unsigned(2 downto 0);
+    level_h2_d4                     : in  unsigned(2 downto 0);
     compared_bound                  : out signed_31_x15_t  -- |.| <= 67665506
   );
 end entity pair_bounds;
@@ -110,49 +110,49 @@ architecture rtl of pair_bounds is
   signal bound_side22_sum_second_h3 : unsigned(29 downto 0) := (others => '0');
   signal bound_side22 : unsigned(30 downto 0);
 begin
-  -- Clock 26
-  clock_26 : process (clk)
+  -- Clock 25
+  clock_25 : process (clk)
   begin
     if rising_edge(clk) then
       places_d1 <= places;
     end if;
-  end process clock_26;
+  end process clock_25;
   length_x(0) <=
-    length_measure(0) when known(row_m_select_at_2) = 0 else
-    length_measure(3) when known(row_m_select_at_2) = 1 else
+    length_measure(0) when known(row_m_select_at_1) = 0 else
+    length_measure(3) when known(row_m_select_at_1) = 1 else
     length_measure(6);
   length_x(1) <=
-    length_measure(1) when known(row_m_select_at_2) = 0 else
-    length_measure(4) when known(row_m_select_at_2) = 1 else
+    length_measure(1) when known(row_m_select_at_1) = 0 else
+    length_measure(4) when known(row_m_select_at_1) = 1 else
     length_measure(7);
   length_x(2) <=
-    length_measure(2) when known(row_m_select_at_2) = 0 else
-    length_measure(5) when known(row_m_select_at_2) = 1 else
+    length_measure(2) when known(row_m_select_at_1) = 0 else
+    length_measure(5) when known(row_m_select_at_1) = 1 else
     length_measure8_h3;
   length_times_g_each : for k in 0 to 2 generate
     length_times_g(k) <= resize(length_x(k), 22) when places_d1 = '1' else append(length_x(k), 1);
   end generate length_times_g_each;
-  moment_norm_x(0) <= moment_m2 when lane1_select_at_2 = '1' else moment_m0;
-  moment_norm_x(1) <= moment_n when lane1_select_at_2 = '1' else moment_m1;
+  moment_norm_x(0) <= moment_m2 when lane1_select_at_1 = '1' else moment_m0;
+  moment_norm_x(1) <= moment_n when lane1_select_at_1 = '1' else moment_m1;
 
-  -- Clock 27
-  clock_27 : process (clk)
+  -- Clock 26
+  clock_26 : process (clk)
   begin
     if rising_edge(clk) then
       length_times_g_d1 <= length_times_g;
       moment_norm_x_d1 <= moment_norm_x;
     end if;
-  end process clock_27;
+  end process clock_26;
   length_first_unit : for k in 0 to 2 generate
     unit : entity work.length_first_order
-      port map (x => length_times_g_d1(k), by => level_h4_d1, first_order => length_first(k));
+      port map (x => length_times_g_d1(k), by => level_h2_d1, first_order => length_first(k));
   end generate length_first_unit;
   moment_norm_lane_unit : for k in 0 to 1 generate
     unit : entity work.moment_norm
       port map (clk => clk, x => moment_norm_x_d1(k), norm => moment_norm_lane(k));
   end generate moment_norm_lane_unit;
 
-  -- Clock 28
+  -- Clock 27
   face_of_vertex_negative_difference_0_each : for k in 0 to 1 generate
     face_of_vertex_negative_difference(k)(0) <= signed(resize(length_bound(k), 30)) -
         signed(resize(length_bound(2), 30));
@@ -160,11 +160,11 @@ begin
         length_bound(2);
   end generate face_of_vertex_negative_difference_0_each;
 
-  -- Clock 29
+  -- Clock 28
   moment_measure(0) <= resize(norm_of_moment(0), 21);
   moment_measure(1) <= resize(norm_of_moment(1), 21);
   moment_x_each : for k in 0 to 1 generate
-    moment_x(k) <= moment_measure(k + 2) when lane1_select_at_2 = '1' else moment_measure(k);
+    moment_x(k) <= moment_measure(k + 2) when lane1_select_at_1 = '1' else moment_measure(k);
     face_of_vertex_negative_difference(k)(1) <= signed(resize(length_bound(k), 30)) -
         signed(resize(length_bound(3), 30));
     face_of_vertex_negative_difference(k)(2) <= signed(resize(length_bound(k), 30)) -
@@ -175,21 +175,21 @@ begin
         length_bound(4);
   end generate moment_x_each;
 
-  -- Clock 30
-  clock_30 : process (clk)
+  -- Clock 29
+  clock_29 : process (clk)
   begin
     if rising_edge(clk) then
       moment_x_d1 <= moment_x;
     end if;
-  end process clock_30;
+  end process clock_29;
   moment_measure(2) <= resize(norm_of_moment(2), 21);
   moment_measure(3) <= resize(norm_of_moment(3), 21);
   moment_first_unit : for k in 0 to 1 generate
     unit : entity work.moment_first_order
-      port map (x => moment_x_d1(k), by => level_h4_d4, first_order => moment_first(k));
+      port map (x => moment_x_d1(k), by => level_h2_d4, first_order => moment_first(k));
   end generate moment_first_unit;
 
-  -- Clock 32
+  -- Clock 31
   bound_all_m <= resize(resize(moment_bound(0), 29) + resize(moment_bound(1), 29), 30) + resize(moment_bound(2), 30);
   bound_plane_a0 <= resize(resize(moment_bound(3), 29) + resize(length_measure0_plane_a0_h3, 29), 31) +
       resize(bound_plane_a0_sum_second_h3, 31);
@@ -207,7 +207,7 @@ begin
   compared_bound(12) <= signed(resize(bound_side20(30 downto 3), 31));
   compared_bound(13) <= signed(resize(bound_side21(30 downto 3), 31));
 
-  -- Clock 33
+  -- Clock 32
   bound_plane_a1 <= resize(resize(moment_bound(3), 29) + resize(bound_plane_a1_sum_first_result_h3, 29), 31) +
       resize(bound_plane_a1_sum_second_h3, 31);
   bound_plane_a2 <= resize(resize(moment_bound(3), 29) + resize(bound_plane_a2_sum_first_result_h3, 29), 31) +
@@ -229,7 +229,7 @@ begin
   compared_bound(8) <= signed(resize(bound_side02(30 downto 3), 31));
   compared_bound(14) <= signed(resize(bound_side22(30 downto 3), 31));
 
-  -- Clock 34
+  -- Clock 33
   bound_side10 <= resize(bound_side10_sum_h1, 33) + resize(bound_side10_result_h5, 33);
   bound_side11 <= resize(bound_side11_sum_h1, 33) + resize(bound_side11_result_h5, 33);
   bound_side12 <= resize(bound_side12_sum_h1, 33) + resize(bound_side12_result_h5, 33);
@@ -241,7 +241,7 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if strobe(0) = '1' then
+      if strobe(2) = '1' then
         length_bound(0) <= length_first(0);
         length_bound(1) <= length_first(1);
         length_bound(2) <= length_first(2);
@@ -259,7 +259,7 @@ begin
         bound_side12_result_h5 <= bound_side12_result_h3;
         face_of_vertex1_0_h3 <= face_of_vertex(1)(0);
       end if;
-      if strobe(1) = '1' then
+      if strobe(0) = '1' then
         length_bound(3) <= length_first(0);
         length_bound(4) <= length_first(1);
         length_bound(5) <= length_first(2);
@@ -282,7 +282,7 @@ begin
         bound_side12_result_h3 <= bound_side12_result;
         length_measure0_ends1_h3 <= length_measure0_ends1;
       end if;
-      if strobe(2) = '1' then
+      if strobe(1) = '1' then
         length_bound(6) <= length_first(0);
         length_bound(7) <= length_first(1);
         length_bound(8) <= length_first(2);
@@ -305,10 +305,10 @@ begin
         bound_side22_sum_second_h3 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex1_h2(0), 30);
       end if;
       for k in 0 to 1 loop
-        if strobe(1) = '1' then
+        if strobe(0) = '1' then
           face_of_vertex_h1(k)(0) <= face_of_vertex(k)(0);
         end if;
-        if strobe(2) = '1' then
+        if strobe(1) = '1' then
           face_of_vertex_h1(k)(1) <= face_of_vertex(k)(1);
           face_of_vertex_h1(k)(2) <= face_of_vertex(k)(2);
         end if;

@@ -12,8 +12,8 @@ entity pair_determinants is
   port (
     clk               : in  std_logic;
     strobe            : in  std_logic_vector(2 downto 0);  -- one flag per phase
+    row_m_select_at_1 : in  unsigned(1 downto 0);
     row_m_select_at_2 : in  unsigned(1 downto 0);
-    row_m_select_at_0 : in  unsigned(1 downto 0);
     moment_m0         : in  signed_18_vector_t;  -- |.| <= 131072
     moment_m2         : in  signed_18_vector_t;  -- |.| <= 131072
     moment_m1         : in  signed_18_vector_t;  -- |.| <= 131072
@@ -24,8 +24,8 @@ entity pair_determinants is
     coordinate_v1_h6  : in  signed_18_vector_t;  -- |.| <= 131071
     coordinate_w0_h9  : in  signed_18_vector_t;  -- |.| <= 131071
     coordinate_w2_h9  : in  signed_18_vector_t;  -- |.| <= 131071
+    lane1_select_at_1 : in  std_logic;
     lane1_select_at_2 : in  std_logic;
-    lane1_select_at_0 : in  std_logic;
     compared          : out signed_41_x15_t  -- |.| <= 206156857344
   );
 end entity pair_determinants;
@@ -63,25 +63,25 @@ architecture rtl of pair_determinants is
   signal compared_unit_side0 : signed_39_x3_t;
   signal compared_unit_side1 : signed_40_x3_t;
 begin
-  -- Clock 26
+  -- Clock 25
   dot_x(0) <=
-    coordinate_w0_h6 when known(row_m_select_at_2) = 0 else
-    coordinate_w1_h9 when known(row_m_select_at_2) = 1 else
+    coordinate_w0_h6 when known(row_m_select_at_1) = 0 else
+    coordinate_w1_h9 when known(row_m_select_at_1) = 1 else
     coordinate_v2_h6;
   dot_x(1) <=
-    coordinate_v1_h6 when known(row_m_select_at_2) = 0 else
-    coordinate_w0_h9 when known(row_m_select_at_2) = 1 else
+    coordinate_v1_h6 when known(row_m_select_at_1) = 0 else
+    coordinate_w0_h9 when known(row_m_select_at_1) = 1 else
     coordinate_w2_h9;
-  dot_x(2) <= coordinate_v2_h6 when lane1_select_at_2 = '1' else coordinate_v1_h6;
-  dot_x(3) <= coordinate_v2_h6 when lane1_select_at_2 = '1' else coordinate_v1_h6;
+  dot_x(2) <= coordinate_v2_h6 when lane1_select_at_1 = '1' else coordinate_v1_h6;
+  dot_x(3) <= coordinate_v2_h6 when lane1_select_at_1 = '1' else coordinate_v1_h6;
   dot_m(1) <=
-    moment_m0 when known(row_m_select_at_2) = 0 else
-    moment_m1 when known(row_m_select_at_2) = 1 else
+    moment_m0 when known(row_m_select_at_1) = 0 else
+    moment_m1 when known(row_m_select_at_1) = 1 else
     moment_n;
-  dot_m(2) <= moment_m0 when lane1_select_at_2 = '1' else moment_m1;
+  dot_m(2) <= moment_m0 when lane1_select_at_1 = '1' else moment_m1;
 
-  -- Clock 27
-  clock_27 : process (clk)
+  -- Clock 26
+  clock_26 : process (clk)
   begin
     if rising_edge(clk) then
       dot_x_d1 <= dot_x;
@@ -89,15 +89,15 @@ begin
         dot_m_d1(k) <= dot_m(k);
       end loop;
     end if;
-  end process clock_27;
+  end process clock_26;
   dot_m(0) <=
-    moment_n when known(row_m_select_at_0) = 0 else
-    moment_n when known(row_m_select_at_0) = 1 else
+    moment_n when known(row_m_select_at_2) = 0 else
+    moment_n when known(row_m_select_at_2) = 1 else
     moment_m2;
-  dot_m(3) <= moment_m1 when lane1_select_at_0 = '1' else moment_m2;
+  dot_m(3) <= moment_m1 when lane1_select_at_2 = '1' else moment_m2;
 
-  -- Clock 28
-  clock_28 : process (clk)
+  -- Clock 27
+  clock_27 : process (clk)
   begin
     if rising_edge(clk) then
       dot_x0_d2 <= dot_x_d1(0);
@@ -105,7 +105,7 @@ begin
       dot_m0_d1 <= dot_m(0);
       dot_m3_d1 <= dot_m(3);
     end if;
-  end process clock_28;
+  end process clock_27;
   dot_lane_unit_x(0) <= dot_x0_d2;
   dot_lane_unit_x(1) <= dot_x_d1(1);
   dot_lane_unit_x(2) <= dot_x_d1(2);
@@ -119,17 +119,17 @@ begin
       port map (clk => clk, x => dot_lane_unit_x(k), m => dot_lane_unit_m(k), dot => dot_lane(k));
   end generate dot_lane_unit;
 
-  -- Clock 31
+  -- Clock 30
   compared(0) <= resize(determinant_plane_a0, 41);
   compared(3) <= resize(determinant_plane_b0, 41);
   compared(12) <= resize(determinant_side20, 41);
 
-  -- Clock 32
+  -- Clock 31
   compared(1) <= resize(determinant_plane_a1, 41);
   compared(2) <= resize(determinant_plane_a2, 41);
   compared(13) <= resize(determinant_side21, 41);
 
-  -- Clock 33
+  -- Clock 32
   compared(14) <= resize(determinant_side22, 41);
   compared_unit_a(0) <= determinant_plane_a0;
   compared_unit_a(1) <= determinant_plane_a1;
@@ -153,7 +153,7 @@ begin
     port map (clk => clk, a => compared_unit_a, d => compared_unit_d, v => determinant_plane_b0,
               plane_b => compared_unit_plane_b, side0 => compared_unit_side0, side1 => compared_unit_side1);
 
-  -- Clock 35
+  -- Clock 34
   compared(6) <= resize(determinant_side00, 41);
   compared(7) <= resize(determinant_side01, 41);
   compared(8) <= resize(determinant_side02, 41);
@@ -165,18 +165,18 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if strobe(0) = '1' then
+      if strobe(2) = '1' then
         determinant_plane_a0 <= dot_lane(0);
         dot_d1(2) <= dot_lane(3);
         determinant_plane_b0 <= dot_lane(1);
         determinant_side20 <= dot_lane(2);
       end if;
-      if strobe(1) = '1' then
+      if strobe(0) = '1' then
         determinant_plane_a1 <= dot_lane(0);
         determinant_plane_a2 <= dot_lane(1);
         determinant_side21 <= dot_lane(3);
       end if;
-      if strobe(2) = '1' then
+      if strobe(1) = '1' then
         determinant_side22 <= dot_lane(0);
         dot_d1(0) <= dot_lane(1);
         dot_d1(1) <= dot_lane(2);

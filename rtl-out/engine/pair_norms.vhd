@@ -12,7 +12,7 @@ entity pair_norms is
   port (
     clk                             : in  std_logic;
     strobe                          : in  std_logic_vector(2 downto 0);  -- one flag per phase
-    row_m_select_at_1               : in  unsigned(1 downto 0);
+    row_m_select_at_0               : in  unsigned(1 downto 0);
     coordinate_v1                   : in  signed_18_vector_t;  -- |.| <= 131071
     coordinate_v2                   : in  signed_18_vector_t;  -- |.| <= 131071
     coordinate_w0                   : in  signed_18_vector_t;  -- |.| <= 131071
@@ -54,8 +54,8 @@ architecture rtl of pair_norms is
   signal rest_aligned_second_h3 : unsigned(16 downto 0) := (others => '0');
   signal rest_of_level_aligned_h3 : unsigned(15 downto 0) := (others => '0');
   signal rest : unsigned(16 downto 0);  -- c(3); four times that is c(5)
-  signal length_measure_held : unsigned_21_x9_t := zero_unsigned_21_x9;  -- from clock 28 on
-  signal rest_h3 : unsigned(16 downto 0) := (others => '0');
+  signal length_measure_held : unsigned_21_x9_t := zero_unsigned_21_x9;  -- from clock 27 on
+  signal rest_h1 : unsigned(16 downto 0) := (others => '0');
   signal length_measure0_plane_a0_unit_v : unsigned_21_x2_t;
   signal length_measure0_plane_a0_unit_w : unsigned_21_x3_t;
   signal length_measure0_plane_a0_unit_b : unsigned_21_x3_t;
@@ -64,29 +64,43 @@ architecture rtl of pair_norms is
   signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
   signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
 begin
-  -- Clock 21
+  -- Clock 20
   e_a1_each : for i in 0 to 2 generate
     e_a1(i) <= resize(coordinate_v2_h1(i), 19) - resize(coordinate_v1_h1(i), 19);
   end generate e_a1_each;
 
-  -- Clock 22
+  -- Clock 21
   e_b_0_each : for i in 0 to 2 generate
     e_b(0)(i) <= resize(coordinate_w1_h4(i), 19) - resize(coordinate_w0_h4(i), 19);
     e_b(1)(i) <= resize(coordinate_w2_h4(i), 19) - resize(coordinate_w1_h4(i), 19);
     e_b(2)(i) <= resize(coordinate_w0_h4(i), 19) - resize(coordinate_w2_h4(i), 19);
     norm_x(0)(i) <=
-      resize(coordinate_v1(i), 19) when known(row_m_select_at_1) = 0 else
-      norm_x_resized_third_h3(0)(i) when known(row_m_select_at_1) = 1 else
+      resize(coordinate_v1(i), 19) when known(row_m_select_at_0) = 0 else
+      norm_x_resized_third_h3(0)(i) when known(row_m_select_at_0) = 1 else
       e_b(0)(i);
     norm_x(1)(i) <=
-      resize(coordinate_v2(i), 19) when known(row_m_select_at_1) = 0 else
-      norm_x_resized_third_h3(1)(i) when known(row_m_select_at_1) = 1 else
+      resize(coordinate_v2(i), 19) when known(row_m_select_at_0) = 0 else
+      norm_x_resized_third_h3(1)(i) when known(row_m_select_at_0) = 1 else
       e_b(1)(i);
   end generate e_b_0_each;
   norm_x(2) <=
-    e_a1 when known(row_m_select_at_1) = 0 else
-    norm_x2_resized_h3 when known(row_m_select_at_1) = 1 else
+    e_a1 when known(row_m_select_at_0) = 0 else
+    norm_x2_resized_h3 when known(row_m_select_at_0) = 1 else
     e_b(2);
+
+  -- Clock 22
+  clock_22 : process (clk)
+  begin
+    if rising_edge(clk) then
+      norm_x_d1 <= norm_x;
+    end if;
+  end process clock_22;
+  norm_lane_unit : for k in 0 to 2 generate
+    unit : entity work.vector_norm
+      port map (clk => clk, x => norm_x_d1(k), norm => norm_lane(k));
+  end generate norm_lane_unit;
+
+  -- Clock 23
   rest_of_level <=
     to_unsigned(64, 15) when known(level) = 0 else
     to_unsigned(64, 15) when known(level) = 1 else
@@ -97,22 +111,10 @@ begin
     to_unsigned(16384, 15);
   rest_of_level_aligned <= append(rest_of_level, 1);
 
-  -- Clock 23
-  clock_23 : process (clk)
-  begin
-    if rising_edge(clk) then
-      norm_x_d1 <= norm_x;
-    end if;
-  end process clock_23;
-  norm_lane_unit : for k in 0 to 2 generate
-    unit : entity work.vector_norm
-      port map (clk => clk, x => norm_x_d1(k), norm => norm_lane(k));
-  end generate norm_lane_unit;
-
-  -- Clock 25
+  -- Clock 26
   rest <= resize(rest_of_level_aligned_h3, 17) when places = '1' else rest_aligned_second_h3;
 
-  -- Clock 28
+  -- Clock 27
   length_measure0_plane_a0_unit_v_each : for k in 0 to 1 generate
     length_measure0_plane_a0_unit_v(k) <= length_measure_held(k);
   end generate length_measure0_plane_a0_unit_v_each;
@@ -132,7 +134,7 @@ begin
   bound_side12_result <= length_measure0_plane_a0_unit_middle(2);
   length_measure0_plane_a0_unit : entity work.bound_tails
     port map (clk => clk, v => length_measure0_plane_a0_unit_v, a => length_measure_held(8),
-              w => length_measure0_plane_a0_unit_w, b => length_measure0_plane_a0_unit_b, rest => rest_h3,
+              w => length_measure0_plane_a0_unit_w, b => length_measure0_plane_a0_unit_b, rest => rest_h1,
               plane_a => length_measure0_plane_a0_unit_plane_a, plane_b => length_measure0_plane_a0_unit_plane_b,
               ends => length_measure0_plane_a0_unit_ends, middle => length_measure0_plane_a0_unit_middle);
 
@@ -140,7 +142,7 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if strobe(2) = '1' then
+      if strobe(1) = '1' then
         for i in 0 to 2 loop
           norm_x_resized_third_h3(0)(i) <= resize(coordinate_w0(i), 19);
           norm_x_resized_third_h3(1)(i) <= resize(coordinate_w1(i), 19);
@@ -151,17 +153,17 @@ begin
         for i in 0 to 2 loop
           norm_x2_resized_h3(i) <= resize(coordinate_w2(i), 19);
         end loop;
+        rest_aligned_second_h3 <= append(rest_of_level_aligned, 1);
+        rest_of_level_aligned_h3 <= rest_of_level_aligned;
       end if;
-      if strobe(0) = '1' then
+      if strobe(2) = '1' then
         length_measure_i(0) <= norm_lane(0);
         length_measure_i(1) <= norm_lane(1);
         length_measure_i(8) <= norm_lane(2);
-        rest_aligned_second_h3 <= append(rest_of_level_aligned, 1);
-        rest_of_level_aligned_h3 <= rest_of_level_aligned;
         length_measure_held <= length_measure_i;
-        rest_h3 <= rest;
+        rest_h1 <= rest;
       end if;
-      if strobe(1) = '1' then
+      if strobe(0) = '1' then
         length_measure_i(2) <= norm_lane(0);
         length_measure_i(3) <= norm_lane(1);
         length_measure_i(4) <= norm_lane(2);

@@ -23,9 +23,9 @@ entity sequencer is
     decide         : out std_logic;
     out_valid      : out std_logic;
     take           : out std_logic;
-    accept_address : out unsigned(4 downto 0);
-    decide_address : out unsigned(4 downto 0);
-    take_address   : out unsigned(4 downto 0);
+    accept_address : out unsigned(3 downto 0);
+    decide_address : out unsigned(3 downto 0);
+    take_address   : out unsigned(3 downto 0);
     pose_load      : out std_logic;  -- a pose waits, and the next pair reads it
     pose_ready     : out std_logic  -- no pose waits; clear in reset and in the first clock after
   );
@@ -36,21 +36,21 @@ architecture rtl of sequencer is
   signal running : std_logic := '0';  -- clear in reset and in the first clock after: nothing is accepted
   signal phase_i : unsigned(1 downto 0) := (others => '0');
   signal last_phase : std_logic := '0';  -- set in phase 2
-  signal accepted : unsigned(5 downto 0) := (others => '0');
-  signal accepted_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
+  signal accepted : unsigned(4 downto 0) := (others => '0');
+  signal accepted_ahead : unsigned(4 downto 0) := to_unsigned(1, 5);
   signal accepted_moved : std_logic := '0';
-  signal taken : unsigned(5 downto 0) := (others => '0');
-  signal taken_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
+  signal taken : unsigned(4 downto 0) := (others => '0');
+  signal taken_ahead : unsigned(4 downto 0) := to_unsigned(1, 5);
   signal taken_moved : std_logic := '0';
-  signal decided : unsigned(5 downto 0) := (others => '0');
-  signal taken_turned : unsigned(5 downto 0);
+  signal decided : unsigned(4 downto 0) := (others => '0');
+  signal taken_turned : unsigned(4 downto 0);
   signal full_if_moved : std_logic := '0';
   signal full_if_still : std_logic := '0';
   signal full : std_logic;
   signal accepts : std_logic;
   signal accept_pair : std_logic;
   signal holds_i : std_logic_vector(13 downto 0) := (others => '0');
-  signal decide_phase : std_logic := '0';  -- set in phase 1
+  signal decide_phase : std_logic := '0';  -- set in phase 0
   signal decide_pair : std_logic;
   signal empty_if_moved : std_logic := '1';
   signal empty_if_still : std_logic := '1';
@@ -65,7 +65,7 @@ architecture rtl of sequencer is
   signal pose_waits : std_logic;
   signal pose_pending_next : std_logic;
 begin
-  taken_turned <= taken + 32;
+  taken_turned <= taken + 16;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
   accepts <= running and last_phase and not full;
   accept_pair <= in_valid and accepts;
@@ -77,9 +77,9 @@ begin
   pose_waits <= pose_pending and not load_pose;
   pose_pending_next <= pose_waits or accept_pose;
   load_pair <= in_valid and last_phase;
-  accept_address <= accepted(4 downto 0);
-  decide_address <= decided(4 downto 0);
-  take_address <= taken(4 downto 0);
+  accept_address <= accepted(3 downto 0);
+  decide_address <= decided(3 downto 0);
+  take_address <= taken(3 downto 0);
 
   -- State
   state : process (clk)
@@ -108,7 +108,7 @@ begin
         taken_moved <= take_pair;
         full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
         full_if_still <= flag(known(accepted) = known(taken_turned));
-        decide_phase <= flag(known(phase_i) = 0);
+        decide_phase <= flag(known(phase_i) = 2);
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
@@ -117,21 +117,21 @@ begin
         pose_pending <= pose_pending_next;
       end if;
       if reset = '1' then
-        accepted <= to_unsigned(0, 6);
-        accepted_ahead <= to_unsigned(1, 6);
+        accepted <= to_unsigned(0, 5);
+        accepted_ahead <= to_unsigned(1, 5);
       elsif accept_pair = '1' then
         accepted <= accepted_ahead;
         accepted_ahead <= accepted_ahead + 1;
       end if;
       if reset = '1' then
-        taken <= to_unsigned(0, 6);
-        taken_ahead <= to_unsigned(1, 6);
+        taken <= to_unsigned(0, 5);
+        taken_ahead <= to_unsigned(1, 5);
       elsif take_pair = '1' then
         taken <= taken_ahead;
         taken_ahead <= taken_ahead + 1;
       end if;
       if reset = '1' then
-        decided <= to_unsigned(0, 6);
+        decided <= to_unsigned(0, 5);
       elsif decide_pair = '1' then
         decided <= decided + 1;
       end if;

@@ -22,7 +22,7 @@
 #define EFSAT_TAG_BITS 16 /* bits of the tag of a pair */
 #define EFSAT_FLAG_BITS 9 /* flags of each kind, one for each witness */
 #define EFSAT_CLOCKS_PER_PAIR 2 /* clocks from pair to pair, the initiation interval */
-#define EFSAT_LATENCY 39 /* clocks from a pair taken to its verdict */
+#define EFSAT_LATENCY 38 /* clocks from a pair taken to its verdict */
 #define EFSAT_CLOCK_MHZ 100 /* the target clock in MHz */
 
 /* Ranges of numbers; for others the unit makes no promise, and the functions below refuse them. */

@@ -22,7 +22,7 @@ INTEGRAL_BITS = 4  # of them integral, with the sign
 TAG_BITS = 16  # bits of the tag of a pair
 FLAG_BITS = 9  # flags of each kind, one for each witness
 CLOCKS_PER_PAIR = 2  # clocks from pair to pair, the initiation interval
-LATENCY = 39  # clocks from a pair taken to its verdict
+LATENCY = 38  # clocks from a pair taken to its verdict
 CLOCK_MHZ = 100  # the target clock in MHz
 
 # Ranges of numbers; for others the unit makes no promise, and the functions below refuse them.
