@@ -216,7 +216,7 @@ impl Around<'_> {
     /// Blocks that are there and taken by the volume unit, if there are such.
     fn blocks(&mut self) -> bool {
         // For a while it takes few.
-        let takes = if self.clock / 256 % 2 == 0 { !seldom(&mut self.rng, 3) } else { seldom(&mut self.rng, 4) };
+        let takes = if (self.clock / 256).is_multiple_of(2) { !seldom(&mut self.rng, 3) } else { seldom(&mut self.rng, 4) };
         let taken = self.asked.front().is_some_and(|flight| flight.due <= self.clock) && takes;
         self.entity.set("blocks_taken", taken.into());
         for (i, port) in ["block_a", "block_b"].into_iter().enumerate() {
@@ -289,7 +289,7 @@ impl Around<'_> {
         self.entity.set("ending", ending);
         self.entity.set("oldest", self.oldest as u64);
         // Pairs of the oldest query alone leave their queue, or are dropped there. Their queue is full for a while, and then empty.
-        let rate = if self.clock / 64 % 4 == 0 { 1 } else { 6 };
+        let rate = if (self.clock / 64).is_multiple_of(4) { 1 } else { 6 };
         let mut left = 0;
         for (lane, run) in self.lanes.iter_mut().enumerate() {
             let Some(run) = run else { continue };
