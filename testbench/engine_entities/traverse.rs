@@ -216,7 +216,8 @@ impl Around<'_> {
     /// Blocks that are there and taken by the volume unit, if there are such.
     fn blocks(&mut self) -> bool {
         // For a while it takes few.
-        let takes = if (self.clock / 256).is_multiple_of(2) { !seldom(&mut self.rng, 3) } else { seldom(&mut self.rng, 4) };
+        let takes =
+            if (self.clock / 256).is_multiple_of(2) { !seldom(&mut self.rng, 3) } else { seldom(&mut self.rng, 4) };
         let taken = self.asked.front().is_some_and(|flight| flight.due <= self.clock) && takes;
         self.entity.set("blocks_taken", taken.into());
         for (i, port) in ["block_a", "block_b"].into_iter().enumerate() {
