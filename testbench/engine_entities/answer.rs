@@ -278,7 +278,7 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         // A restart takes back what is offered, or lets a report go on.
         ("offered <= offered and not free;", "offered <= '0';"),
         ("elsif (forgets or restart) = '1' then", "elsif restart = '1' then"),
-        ("elsif (forgets or restart) = '1' then\n        place <= \"000\";", "elsif (forgets or restart) = '1' then"),
+        ("elsif (forgets or restart) = '1' then\n        turn <= first_word;", "elsif (forgets or restart) = '1' then"),
         ("survivors(lane) + unsigned(survived)", "survivors(lane) + unsigned(survived(0 downto 0))"),
         // Counts of another query, and what is lost where counters begin again.
         ("pairs_now <= pairs(lane);", "pairs_now <= pairs(0);"),
