@@ -99,16 +99,11 @@ impl<'l, 'p> Guards<'l, 'p> {
         used: Sig<'l>,
         numbers: [Number<Sig<'l>>; N],
         bound: i128,
-        (name, at): (&str, Option<usize>),
+        (name, k): (&str, usize),
     ) -> [Number<Sig<'l>>; N] {
-        let (passed, flags) = self.behind(numbers, bound, (name, at));
+        let (passed, flags) = self.behind(numbers, bound, (name, Some(k)));
         if !flags.is_empty() {
-            let counts = any(&flags) & used;
-            let what = format!("{name}_used_outside");
-            self.of_pair.borrow_mut().push(match at {
-                Some(k) => counts.named_at(&what, k),
-                None => counts.named(&what),
-            });
+            self.found(&[(any(&flags) & used).named_at(&format!("{name}_used_outside"), k)]);
         }
         passed
     }

@@ -39,7 +39,7 @@ pub(in super::super) fn points<'l>(u: Top<'l>, p: &Params, guards: &Guards<'l, '
                 Some(m) => {
                     let used = (!pose.bypass).named("pose_m_used");
                     let rows = [0, 1, 2].map(|i| {
-                        let row = guards.guarded_if(used, m[i].0, p.one(), ("pose_m", Some(i)));
+                        let row = guards.guarded_if(used, m[i].0, p.one(), ("pose_m", i));
                         Vec3(row).map(|number| number.lo.at_point(None))
                     });
                     turned(u, p, rows, w, moved, pose.bypass)
