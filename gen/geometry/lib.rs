@@ -57,3 +57,9 @@ pub type Points = [[f64; 3]; 6];
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/exact-software.md")]
 struct Page;
+
+/// How often a test tries something: a share on every change, `all` with `EFSAT_TESTS=full`, which `scripts/test full` sets.
+#[cfg(test)]
+fn rounds(all: usize) -> usize {
+    if std::env::var_os("EFSAT_TESTS").is_some() { all } else { all / 4 }
+}

@@ -166,7 +166,7 @@ begin
     end generate lanes_with_bit;
     reason(digit) <= '0' when has_bit = no_lane else '1';
   end generate tell;
-  aborts <= fails;
+  aborts <= fails and not (reset or forget);
   abort <= aborting;
   flush <= flush_now;
 
@@ -177,7 +177,7 @@ begin
   admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
   here <= admitted and is_oldest;
-  fails <= reads_before and (error_before or silent_before) and not (reporting or aborting or reset or forget)
+  fails <= reads_before and (error_before or silent_before) and not (reporting or aborting)
     when (started_now and is_oldest) /= no_lane else '0';
 
   by_lane : for lane in 0 to lanes - 1 generate
@@ -252,7 +252,7 @@ begin
       error_before <= memory_error;
       silent_before <= memory_silent;
       flush_now <= '0';
-      aborting <= fails;
+      aborting <= fails and not (reset or forget);
 
       -- Jobs, and the query that is admitted next.
       if phase = waiting_state then

@@ -163,8 +163,9 @@ begin
     choice_lane(digit) <= '0' when has_bit = nobody else '1';
   end generate number_lane;
   chosen_entry <= top_entry(to_integer(chosen_lane));
+  -- Of registers alone, as hundreds of cells hang on it; a cache serves no line per clock either.
+  issue_free <= not issued;
   some_chosen <= '0' when chosen = nobody else '1';
-  issue_free <= request_ready or not issued;
   lives <= chosen and not ending;
   pop <= '0' when lives = nobody else issue_free;
   popped <= pop;
@@ -215,6 +216,8 @@ begin
       else
         if issue_free = '1' then
           issued <= pop;
+        elsif request_ready = '1' then
+          issued <= '0';
         end if;
         if (issue_free or not some_chosen) = '1' then
           chosen <= choice;

@@ -65,9 +65,8 @@ architecture rtl of engine_lane is
   constant pairs : integer := 128;  -- of the queue of leaf pairs
   constant pair_room_bits : natural := 10;
 
-  signal is_root : std_logic := '0';  -- the roots are pushed, and nothing else
-  signal is_pushed : std_logic := '0';  -- a survivor is
-  signal push : std_logic;
+  signal is_root : std_logic := '0';  -- the roots are pushed, and not a survivor
+  signal push : std_logic := '0';
   signal push_entry : std_logic_vector(entry_bits - 1 downto 0);
   signal lives : std_logic;
   signal may_start : std_logic := '0';  -- a clock ago it was not chosen, and could be popped
@@ -92,7 +91,6 @@ architecture rtl of engine_lane is
 begin
   lives <= not ending and not ended and not spent;  -- what the last query has left on the stack goes with start
   may_pop <= may_start when chosen = '0' else may_follow;
-  push <= is_pushed or is_root;
   push_entry <= "0000000000000000000000001100000000000000000000000011000000" when is_root = '1' else next_entry;
 
   stack : entity work.engine_stack
@@ -116,7 +114,7 @@ begin
       may_follow <= lives and many and not few_left and plenty
         and (is_oldest or (pair_plenty and not crowded));
       is_root <= start and not reset;
-      is_pushed <= pushes and not ending and not reset;
+      push <= (start or (pushes and not ending)) and not reset;
       limit_reached <= filled and spent and not ended and not ending;
       is_oldest <= oldest;
       idle <= nothing_flies and (ending or not (filled or ended)) and not is_root;

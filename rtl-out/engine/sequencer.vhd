@@ -48,6 +48,8 @@ architecture rtl of sequencer is
   signal full_if_still : std_logic := '0';
   signal full : std_logic;
   signal accepts : std_logic;
+  signal phase_equal : std_logic;
+  signal load_phase : std_logic := '1';  -- the last phase, in which hundreds of registers load; set in reset, where nothing is read of them
   signal accept_pair : std_logic;
   signal holds_i : std_logic_vector(13 downto 0) := (others => '0');
   signal decide_phase : std_logic := '0';  -- set in phase 0
@@ -68,6 +70,7 @@ begin
   taken_turned <= taken + 16;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
   accepts <= running and last_phase and not full;
+  phase_equal <= flag(known(phase_i) = 1);
   accept_pair <= in_valid and accepts;
   decide_pair <= holds_i(13) and decide_phase;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
@@ -76,7 +79,7 @@ begin
   accept_pose <= pose_valid and takes_pose;
   pose_waits <= pose_pending and not load_pose;
   pose_pending_next <= pose_waits or accept_pose;
-  load_pair <= in_valid and last_phase;
+  load_pair <= in_valid and load_phase;
   accept_address <= accepted(3 downto 0);
   decide_address <= decided(3 downto 0);
   take_address <= taken(3 downto 0);
@@ -93,6 +96,7 @@ begin
         taken_moved <= '0';
         full_if_moved <= '0';
         full_if_still <= '0';
+        load_phase <= '1';
         decide_phase <= '0';
         empty_if_moved <= '1';
         empty_if_still <= '1';
@@ -108,11 +112,12 @@ begin
         taken_moved <= take_pair;
         full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
         full_if_still <= flag(known(accepted) = known(taken_turned));
+        load_phase <= phase_equal;
         decide_phase <= flag(known(phase_i) = 2);
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
-        load_pose <= pose_pending_next and flag(known(phase_i) = 1);
+        load_pose <= pose_pending_next and phase_equal;
         takes_pose <= not pose_pending_next;
         pose_pending <= pose_pending_next;
       end if;

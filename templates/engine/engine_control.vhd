@@ -180,7 +180,7 @@ begin
     reason(digit) <= '0' when has_bit = no_lane else '1';
   end generate tell;
 {%- if e.axi %}
-  aborts <= fails;
+  aborts <= fails and not (reset or forget);
   abort <= aborting;
   flush <= flush_now;
 {%- else %}
@@ -195,7 +195,7 @@ begin
 
   here <= admitted and is_oldest;
 {%- if e.axi %}
-  fails <= reads_before and (error_before or silent_before) and not (reporting or aborting or reset or forget)
+  fails <= reads_before and (error_before or silent_before) and not (reporting or aborting)
     when (started_now and is_oldest) /= no_lane else '0';
 {%- endif %}
 
@@ -276,7 +276,7 @@ begin
 {%- endif %}
 {%- if e.axi %}
       flush_now <= '0';
-      aborting <= fails;
+      aborting <= fails and not (reset or forget);
 {%- endif %}
 
       -- Jobs, and the query that is admitted next.

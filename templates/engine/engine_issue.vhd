@@ -163,8 +163,10 @@ begin
     choice_lane(digit) <= '0' when has_bit = nobody else '1';
   end generate number_lane;
   chosen_entry <= top_entry(to_integer(chosen_lane));
-  some_chosen <= '0' when chosen = nobody else '1';
-  issue_free <= request_ready or not issued;
+{% if e.axi %}  -- Of registers alone, as hundreds of cells hang on it; a cache serves no line per clock either.
+  issue_free <= not issued;
+{% else %}  issue_free <= request_ready or not issued;
+{% endif %}  some_chosen <= '0' when chosen = nobody else '1';
   lives <= chosen and not ending;
   pop <= '0' when lives = nobody else issue_free;
   popped <= pop;
@@ -215,7 +217,9 @@ begin
       else
         if issue_free = '1' then
           issued <= pop;
-        end if;
+{% if e.axi %}        elsif request_ready = '1' then
+          issued <= '0';
+{% endif %}        end if;
         if (issue_free or not some_chosen) = '1' then
           chosen <= choice;
           chosen_lane <= unsigned(choice_lane);

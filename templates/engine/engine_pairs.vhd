@@ -77,8 +77,7 @@ architecture rtl of {{ prefix }}engine_pairs is
   signal none_full : std_logic;
   signal accepts : std_logic;
   signal passes : std_logic;  -- it is the next one of the front lane, and passes by its queue
-  signal fetches : std_logic;
-  signal goes_on : std_logic;  -- one is fetched, or one passes, which comes and goes in one clock
+  signal fetches : std_logic;  -- the memory is read, also where nothing waits
   -- The first pair of the front lane and the two behind it: a memory is far from where its word goes, and that the first one
   -- leaves is known late in a clock, so that one more is read whenever there is a place.
   signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
@@ -104,6 +103,7 @@ architecture rtl of {{ prefix }}engine_pairs is
   signal some_of_last : std_logic := '0';
   signal last_left : std_logic;  -- there are some behind this clock
   signal front_left : std_logic;
+  signal asked_one : std_logic := '0';  -- of_front counts it in this clock: its triangles come later
   signal triangles_of : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- the last lane, or the front where none of it is left
   signal dropped : std_logic;
   signal has_pose : std_logic := '0';  -- the unit has the pose of the front lane, or is to keep the one it has
@@ -137,12 +137,12 @@ begin
   request_b <= head(27 downto 0);
   moves <= request_ready or not head_valid;
   -- What an ending query fetches here is forgotten in the same clock.
-  fetches <= front_waits and not (next_valid and read_valid);
-  goes_on <= fetches or passes;
+  fetches <= not (next_valid and read_valid);
   front <= std_logic_vector(front_lane);
 
   last_left <= '0' when some_of_last = '0' or (triangles_taken = '1' and of_last = 1) else '1';
-  front_left <= '1' when asked = '1' or (of_front /= 0 and (triangles_taken = '0' or some_of_last = '1' or of_front /= 1)) else '0';
+  -- The front changes only where none was asked for in this clock or the one before.
+  front_left <= '0' when of_front = 0 or (triangles_taken = '1' and some_of_last = '0' and of_front = 1) else '1';
   triangles_lane <= std_logic_vector(triangles_of);
   testable <= some_of_last or has_pose;
   drops <= ending(to_integer(triangles_of));
@@ -169,7 +169,7 @@ begin
     end process rest;
   end generate each_lane;
   reads <= '1' when some_wait(to_integer(unsigned(oldest))) = '1'
-    or (front_is_oldest = '1' and (held = '1' or of_front /= 0))
+    or (front_is_oldest = '1' and (held = '1' or asked_one = '1' or of_front /= 0))
     or (front_is_oldest = '0' and some_of_last = '1') else '0';
 
   remember : process (clk)
@@ -188,8 +188,6 @@ begin
         head <= pair_a & pair_b;
         if next_valid = '1' then
           head <= next_pair;
-        elsif read_valid = '1' then
-          head <= read_pair;
         end if;
       end if;
     end if;
@@ -207,8 +205,12 @@ begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
         comes := accepts = '1' and unsigned(pair_lane) = lane;
-        goes := (goes_on and is_front(lane)) = '1';
-        pair_left(lane) <= goes_on and is_front(lane) and not reset;
+        -- One is fetched, or passes by: of what the clock knows first, as much hangs on it.
+        goes := is_front(lane) = '1' and ((some_wait(lane) and fetches) = '1' or (comes and (some_wait(lane) or held) = '0'));
+        pair_left(lane) <= '0';
+        if goes and reset = '0' then
+          pair_left(lane) <= '1';
+        end if;
         if comes then
           written(lane) <= written(lane) + 1;
         end if;
@@ -279,26 +281,27 @@ begin
         end if;
       end loop;
       if moves = '1' then
-        head_valid <= next_valid or read_valid or passes;
+        head_valid <= next_valid or passes;
       end if;
-      next_valid <= (next_valid and not moves) or (read_valid and (next_valid or not moves));
-      read_valid <= fetches or (read_valid and next_valid and not moves);
+      if (moves or not next_valid) = '1' then
+        next_valid <= read_valid;
+      end if;
+      read_valid <= (front_waits and fetches) or (read_valid and next_valid and not moves);
       if front_ending = '1' then
         head_valid <= '0';
         next_valid <= '0';
         read_valid <= '0';
       end if;
+      asked_one <= asked and not reset;
       left_of_last := of_last;
       left_of_front := of_front;
-      if asked = '1' then
-        left_of_front := left_of_front + 1;
+      if (triangles_taken and some_of_last) = '1' then
+        left_of_last := of_last - 1;
       end if;
-      if triangles_taken = '1' then
-        if some_of_last = '1' then
-          left_of_last := left_of_last - 1;
-        else
-          left_of_front := left_of_front - 1;
-        end if;
+      if asked_one = '1' and (triangles_taken = '0' or some_of_last = '1') then
+        left_of_front := of_front + 1;
+      elsif asked_one = '0' and triangles_taken = '1' and some_of_last = '0' then
+        left_of_front := of_front - 1;
       end if;
       if (offers_pose and pose_ready) = '1' then
         has_pose <= '1';

@@ -103,6 +103,10 @@ impl Around {
         }
         entity.set("triangles_taken", 0);
         entity.settle();
+        let of_oldest = |&(lane, _): &(usize, usize)| lane == self.oldest;
+        let waits = self.asked.iter().any(of_oldest)
+            || self.lanes[self.oldest].as_ref().is_some_and(|query| !query.ending && !query.queue.is_empty());
+        expect(!waits || entity.is("reads"), clock, "the oldest query waits for triangles")?;
         if answered {
             self.tested.pop_front();
             let oldest = self.oldest;
@@ -244,10 +248,11 @@ fn pairs_are_asked_for_in_order_and_counted() {
             "answered_one(lane) <= answered and is_front(lane);",
         ),
         // Of the three pairs that are held one is lost, or forgotten when the front moves on.
-        ("(read_valid and (next_valid or not moves));", "(read_valid and not moves);"),
-        ("read_valid <= fetches or (read_valid and next_valid and not moves);", "read_valid <= fetches;"),
-        ("next_valid <= (next_valid and not moves) or", "next_valid <="),
-        ("elsif read_valid = '1' then", "elsif fetches = '1' then"),
+        ("fetches <= not (next_valid and read_valid);", "fetches <= '1';"),
+        ("(front_waits and fetches) or (read_valid and next_valid and not moves);", "front_waits and fetches;"),
+        ("if (moves or not next_valid) = '1' then\n        next_valid", "if moves = '1' then\n        next_valid"),
+        ("if (moves or not next_valid) = '1' then\n        next_pair", "if moves = '1' then\n        next_pair"),
+        ("head_valid <= next_valid or passes;", "head_valid <= next_valid or read_valid or passes;"),
         // A pair passes by one that is older, or is asked for twice.
         ("(unsigned(pair_lane))) and not (held or front_waits)", "(unsigned(pair_lane))) and not held"),
         ("(unsigned(pair_lane))) and not (held or front_waits)", "(unsigned(pair_lane))) and not front_waits"),
@@ -257,8 +262,15 @@ fn pairs_are_asked_for_in_order_and_counted() {
         ("if advances = '1' and retire = '0' then", "if advances = '1' and retire = '1' then"),
         ("front_is_oldest = '0' and front_lane = unsigned(oldest) + 1", "front_lane = unsigned(oldest)"),
         ("front_is_oldest = '0' and front_lane = unsigned(oldest) + 1", "front_is_oldest = '0'"),
-        ("goes_on <= fetches or passes;", "goes_on <= fetches;"),
-        ("pair_left(lane) <= goes_on and", "pair_left(lane) <= fetches and"),
+        ("(comes and (some_wait(lane) or held) = '0'));", "false);"),
+        ("(comes and (some_wait(lane) or held) = '0'));", "(comes and some_wait(lane) = '0'));"),
+        ("((some_wait(lane) and fetches) = '1' or", "(fetches = '1' or"),
+        ("if goes and reset = '0' then", "if goes and not comes and reset = '0' then"),
+        // One that was asked for is not counted, or counted twice; nothing waits for it.
+        ("asked_one <= asked and not reset;", "asked_one <= asked and not (triangles_taken or reset);"),
+        ("if asked_one = '1' and (triangles_taken = '0' or some_of_last = '1') then", "if asked_one = '1' then"),
+        ("elsif asked_one = '0' and triangles_taken = '1'", "elsif triangles_taken = '1'"),
+        ("(held = '1' or asked_one = '1' or of_front /= 0))", "(held = '1' or of_front /= 0))"),
         ("not some_open(lane) and not opened(lane) and", "not some_open(lane) and"),
     ];
     let design =

@@ -456,13 +456,14 @@ fn comparisons(axes: &Axes) -> Vec<Edge> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use efsat_hardware::testing::full;
 
     #[test]
     fn numbers_are_within_the_declared_range() {
         for (transform, renormalise) in [(Transform::On, true), (Transform::Translate, true), (Transform::Off, false)] {
             let params = Params { transform, renormalise, ..Params::default() };
             let bound = params.coordinate_bound() as i64;
-            let stimulus = stimulus(&params, 64, 1);
+            let stimulus = stimulus(&params, if full() { 64 } else { 16 }, 1);
             let pairs = stimulus.segments.iter().flat_map(|(_, pairs)| pairs);
             let mut numbers = pairs.flat_map(|pair| pair.a.iter().chain(&pair.b).flatten());
             assert_eq!(numbers.find(|x| x.lo < -bound || x.lo + i64::from(x.sticky) > bound), None);
@@ -521,7 +522,7 @@ mod tests {
 
     #[test]
     fn edges_alone_decide_some_pairs() {
-        for (width, transform_width, least) in [(18, 32, 12), (8, 10, 6)] {
+        for (width, transform_width, least) in [(8, 10, 6), (18, 32, 12)].into_iter().take(if full() { 2 } else { 1 }) {
             let params = Params { width, transform_width, ..Params::default() };
             let stimulus = stimulus(&params, 128, 1);
             let [with, without] = [true, false].map(|edge_test| Golden::new(&Params { edge_test, ..params.clone() }));

@@ -107,7 +107,7 @@ fn pairs_by_number_have_the_predicted_control() {
 
 #[test]
 fn several_engines_have_the_predicted_control_around_them() {
-    let params = EngineParams { engines: 4, ..EngineParams::default() };
+    let params = EngineParams { engines: if full() { 4 } else { 2 }, ..EngineParams::default() };
     let devices = if full() { &DEVICES[..] } else { &DEVICES[..1] };
     check(&EngineDesign::new(&params, &params.unit()).unwrap(), devices);
 }

@@ -13,6 +13,7 @@ use efsat_geometry::directions::Directions;
 use efsat_geometry::exact::{Exact, posed_pair};
 use efsat_geometry::mesh::{Mesh, headlight};
 use efsat_hardware::number::Upper;
+use efsat_hardware::testing::full;
 use efsat_unit::dyadic::Dyadic;
 use efsat_unit::params::{Method, Params};
 use nalgebra::{Point3, Rotation3, Unit, Vector3};
@@ -145,7 +146,8 @@ fn images_with_a_changed_bit_are_noticed() {
     let expected = pairs(&model.run(&fair, &query));
     let (mut read, mut verified, mut looser, mut ended) = (0, 0, 0, 0);
     let bytes = image.bytes();
-    for bit in (0..8 * bytes.len()).filter(|bit| *bit < 512 || bit % 6 == 0) {
+    let sparse = if full() { 6 } else { 30 };
+    for bit in (0..8 * bytes.len()).filter(|bit| *bit < 512 || bit % sparse == 0) {
         let mut changed = bytes.clone();
         changed[bit / 8] ^= 1 << (bit % 8);
         let words: Vec<u64> = changed.chunks(8).map(|chunk| u64::from_le_bytes(chunk.try_into().unwrap())).collect();
@@ -167,7 +169,7 @@ fn images_with_a_changed_bit_are_noticed() {
         }
     }
     // Numbers of triangles are noticed without the mesh, so that most bits are refused as the image is read.
-    assert!(read > 2500 && verified > 500 && looser > 100 && ended > 100, "{read} {verified} {looser} {ended}");
+    assert!(read > 500 && verified > 100 && looser > 20 && ended > 20, "{read} {verified} {looser} {ended}");
 }
 
 /// The triangles of the answers, sorted.

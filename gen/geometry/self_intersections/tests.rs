@@ -191,7 +191,7 @@ fn small(rng: &mut ChaCha8Rng, place: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
 
 #[test]
 fn every_pair_of_small_meshes_is_what_the_extreme_points_say() {
-    pairs_are_what_the_extreme_points_say(150);
+    pairs_are_what_the_extreme_points_say(50);
 }
 
 #[test]
@@ -226,7 +226,7 @@ fn pairs_are_what_the_extreme_points_say(meshes: u32) {
 /// Two triangles with common vertices, near a plane or not, which random places on a lattice are too coarse for.
 #[test]
 fn neighbours_next_to_contact_are_what_the_extreme_points_say() {
-    neighbours_are_what_the_extreme_points_say(2000);
+    neighbours_are_what_the_extreme_points_say(600);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::exact::{self, Exact};
+use crate::rounds;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
@@ -70,16 +71,16 @@ fn the_list_is_complete_and_has_distinct_names() {
 
 #[test]
 fn all_are_right_on_random_pairs() {
-    let pairs = pairs(1, 20_000, cube);
+    let pairs = pairs(1, rounds(20_000), cube);
     let contacts = pairs.iter().filter(|p| is_contact(p)).count();
-    assert!((2_000..18_000).contains(&contacts), "{contacts}");
+    assert!((rounds(2_000)..rounds(18_000)).contains(&contacts), "{contacts}");
     let wrong: Vec<_> = Test::ALL.iter().map(|&t| (t.name(), errors(t, &pairs))).filter(|w| w.1 != (0, 0)).collect();
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
 #[test]
 fn no_order_of_the_vertices_changes_an_answer_on_proper_pairs() {
-    let pairs = pairs(2, 400, cube);
+    let pairs = pairs(2, rounds(400), cube);
     let written: Vec<Points> = pairs.iter().flat_map(orders).collect();
     let wrong: Vec<_> = Test::ALL.iter().map(|&t| (t.name(), errors(t, &written))).filter(|w| w.1 != (0, 0)).collect();
     assert!(wrong.is_empty(), "{wrong:?}");

@@ -94,7 +94,15 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
             offered.loads(in_valid & last_next, None, Some((reset, 0)));
             (offered, offered)
         }
-        (Some(last), _) => (in_valid, (in_valid & last).named("load")),
+        // Tools would make one register of this one and `last_phase` if both were the same in reset, and far from both.
+        (Some(_), Some(last_next)) => {
+            let phase = m.register("load_phase", Type::FLAG);
+            phase.comment(
+                "the last phase, in which hundreds of registers load; set in reset, where nothing is read of them",
+            );
+            phase.loads(last_next, None, Some((reset, 1)));
+            (in_valid, (in_valid & phase).named("load"))
+        }
         _ => (in_valid, in_valid),
     };
     load.output("load_pair");

@@ -19,6 +19,7 @@ use efsat_geometry::Points;
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample::random_points;
 use efsat_hardware::number::{Interval, Upper, floor_shift, upper_shift};
+use efsat_hardware::testing::full;
 use rand::rngs::ChaCha8Rng;
 use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
@@ -444,7 +445,7 @@ fn motion(rng: &mut ChaCha8Rng, points: &Points) -> ([[f64; 3]; 3], [f64; 3]) {
 #[test]
 fn no_way_of_writing_a_pair_changes_a_definite_verdict() {
     const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-    let sets = point_sets(12, 60);
+    let sets = point_sets(12, if full() { 60 } else { 20 });
     for p in parameter_sets().into_iter().step_by(3) {
         for points in &sets {
             let mut seen = [false; 3];

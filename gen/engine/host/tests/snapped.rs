@@ -3,6 +3,7 @@
 use super::*;
 use efsat_geometry::collide::Collider;
 use efsat_geometry::scene::Pose;
+use efsat_hardware::testing::full;
 
 /// A large triangle, which sets the scale, and small ones of some steps of a word around a place: each corner lies so far above one
 /// of the grid.
@@ -34,7 +35,7 @@ fn what_touches_when_it_is_snapped_is_found() {
     for (engine, unit) in units {
         let numbers = Numbers::new(engine, &unit).unwrap();
         let (model, step) = (Model::new(engine, &unit).unwrap(), 0.5f64.powi(numbers.format().word_fraction() as i32));
-        for round in 0..600 {
+        for round in 0..if full() { 600 } else { 150 } {
             // In every other round all roundings bring the snapped points together, as far as they can.
             let worst = round % 2 == 0;
             let range = if worst { 0.8..0.97 } else { -0.5..0.5 };
@@ -64,5 +65,5 @@ fn what_touches_when_it_is_snapped_is_found() {
             real += touch(&meshes, &pose).len();
         }
     }
-    assert!(touching > 1000 && touching != real, "{touching} pairs touch, {real} of them as they are");
+    assert!(touching > 250 && touching != real, "{touching} pairs touch, {real} of them as they are");
 }

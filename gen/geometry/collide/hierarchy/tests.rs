@@ -8,6 +8,7 @@ use crate::collide::split::Node;
 use crate::exact::{ContactKind, Exact, pair, posed_pair};
 use crate::mesh::{Mesh, headlight};
 use crate::power::scaled;
+use crate::rounds;
 use crate::scene::rotation::axis_angle;
 use crate::software::interval_axes;
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
@@ -130,8 +131,8 @@ fn classes((found, statistics): Contacts<ContactKind>) -> Contacts<Exact> {
 #[test]
 fn realigned_offsets_hold_what_is_in_them() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
-    let (mut compared, mut tight) = (0, 0);
-    for round in 0..42 {
+    let (mut compared, mut tight) = (0, 0usize);
+    for round in 0..rounds(84) {
         let scales = [1.0, 0.1, 1e-3, 1e-160, 1e150, 1e-300, 1e5];
         let (of_a, of_b) = (scales[round % 7], if round % 5 == 0 { scales[round % 4] } else { scales[round % 7] });
         let far = [0.0, 1e3, 1e9][round % 3];
@@ -148,7 +149,7 @@ fn realigned_offsets_hold_what_is_in_them() {
                     let excess = Rational::from_integer(offset.into()) - exact;
                     assert!(!excess.is_negative(), "round {round}, {set:?}, node {node}, direction {index}");
                     compared += 1;
-                    tight += u32::from(excess < Rational::from_integer(64.into()));
+                    tight += usize::from(excess < Rational::from_integer(64.into()));
                 }
             }
             // The offsets of A itself are those of the identity, but for the rounding.
@@ -162,7 +163,7 @@ fn realigned_offsets_hold_what_is_in_them() {
             }
         }
     }
-    assert!(compared > 5_000 && tight * 4 > compared, "{tight} of {compared} within 64 steps");
+    assert!(compared > rounds(10_000) && tight * 4 > compared, "{tight} of {compared} within 64 steps");
 }
 
 /// The error of the fixed point: 2 steps and 9 * 2^(20 - places) g_B / g_A, at most 20 for rotations of equal meshes.
@@ -315,7 +316,7 @@ fn no_pair_is_lost_where_sums_of_entries_overflow() {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let mut scratch = Scratch::default();
     let (mut touching, mut lost, mut overflowing) = (0, vec![], 0);
-    for round in 0..20_000 {
+    for round in 0..rounds(20_000) {
         // B has a size of 2^-exponent, and M one of 2^exponent but for the factors of rows.
         let exponent = [1023, 1022, 1000, 600, 0, -900][round % 6];
         let rows = [0; 3].map(|_| if rng.random_range(0..4) == 0 { rng.random_range(-60..=0) } else { 0 });
@@ -352,6 +353,9 @@ fn no_pair_is_lost_where_sums_of_entries_overflow() {
             }
         }
     }
-    assert!(touching > 5_000 && overflowing > 3_000, "{touching} pairs touch, {overflowing} poses overflow");
-    assert!(lost.is_empty(), "{} of 80,000 queries, the first: {}", lost.len(), lost[0]);
+    assert!(
+        touching > rounds(5_000) && overflowing > rounds(3_000),
+        "{touching} pairs touch, {overflowing} poses overflow"
+    );
+    assert!(lost.is_empty(), "{} queries, the first: {}", lost.len(), lost[0]);
 }

@@ -429,7 +429,7 @@ mod tests {
         let relaxed = std::sync::atomic::Ordering::Relaxed;
         std::thread::scope(|scope| {
             let writer = scope.spawn(|| {
-                let written = (0..300).try_for_each(|i| sets[i % 2].write(&dir));
+                let written = (0..100).try_for_each(|i| sets[i % 2].write(&dir));
                 done.store(true, relaxed);
                 written
             });

@@ -114,7 +114,7 @@ fn each_bound_contains_the_error_of_its_number() {
         let rest = (x..COLUMNS).flat_map(|y| (x..COLUMNS).map(move |z| [x, y, z]));
         rest.map(|columns| greatest_parts(&Points::new(columns.map(column)), &kinds)).fold([0; 3], greater)
     };
-    let share = if full() { 1 } else { 13 };
+    let share = if full() { 1 } else { 31 };
     let greatest =
         (0..COLUMNS).step_by(share).collect::<Vec<_>>().into_par_iter().map(first).reduce(|| [0; 3], greater);
     // So a quarter of a bound would be found to be broken.

@@ -8,6 +8,7 @@ use crate::golden::Golden;
 use crate::pair::{Input, Outcome, Pair, Pose, Verdict};
 use crate::params::{Method, Params, Transform};
 use efsat_geometry::exact::{self, Exact, Relation};
+use efsat_hardware::testing::full;
 
 type Point = [i64; 3];
 type Points = [Point; 6];
@@ -217,7 +218,7 @@ fn every_pair_of_the_cube_of_27_points_is_right() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     let golden = golden(6);
     let mut seen = Seen::default();
-    for a in first {
+    for a in first.into_iter().step_by(if full() { 1 } else { 4 }) {
         for b in &triangles {
             let symmetry = rng.random_range(0..48);
             let [a, b] = [a, b].map(|x| ORDERS[rng.random_range(0..6)].map(|i| turned(symmetry, x[i])));
@@ -225,7 +226,7 @@ fn every_pair_of_the_cube_of_27_points_is_right() {
             seen.add(check(&golden, &[a[0], a[1], a[2], b[0], b[1], b[2]]));
         }
     }
-    assert!(seen.all().all(|count| count > 5000), "{seen:?}");
+    assert!(seen.all().all(|count| count > 1000), "{seen:?}");
 }
 
 /// Determinants of all lengths, and contact that a single unit breaks.
@@ -235,10 +236,10 @@ fn large_coordinates_are_right() {
     for width in [6, 9, 10, 18, 19, 20, 21, 32] {
         let golden = golden(width);
         let mut seen = Seen::default();
-        for _ in 0..20_000 {
+        for _ in 0..if full() { 20_000 } else { 6_000 } {
             seen.add(check(&golden, &large(&mut rng, width)));
         }
-        assert!(seen.all().all(|count| count > 150), "{width}: {seen:?}");
+        assert!(seen.all().all(|count| count > 40), "{width}: {seen:?}");
     }
 }
 
@@ -249,7 +250,7 @@ fn all_orders_have_one_answer() {
     for width in [7, 18, 32] {
         // One bit more, because the differences are those from another vertex then.
         let golden = golden(width);
-        for _ in 0..3000 {
+        for _ in 0..if full() { 3000 } else { 800 } {
             let points = if rng.random() { small(&mut rng) } else { large(&mut rng, width - 1) };
             let answer = |points: &Points| {
                 let Outcome { verdict, overlapping, outside, .. } = outcome(&golden, points);
@@ -428,12 +429,13 @@ fn a_cascade_is_right_and_its_second_stage_gets_what_touches() {
 #[test]
 fn a_cascade_leaves_few_pairs_open() {
     let mut rng = ChaCha8Rng::seed_from_u64(9);
+    let tries = if full() { 100_000 } else { 30_000 };
     for bits in [5, 8, 12, 18, 24, 31] {
         let reach = (1i64 << (bits - 1)) - 1;
         let any = |rng: &mut ChaCha8Rng| [(); 6].map(|()| [(); 3].map(|()| rng.random_range(-reach..=reach) / 2));
-        let [decided, open] = cascaded(32, (0..100_000).map(|_| any(&mut rng)));
+        let [decided, open] = cascaded(32, (0..tries).map(|_| any(&mut rng)));
         // On the smallest grid many pairs touch.
-        let most = if bits == 5 { 1500 } else { 60 };
-        assert!((10..most).contains(&open) && decided + open == 100_000, "{bits} bits: {open} open");
+        let most = tries * if bits == 5 { 15 } else { 1 } / 1000;
+        assert!((1..most).contains(&open) && decided + open == tries, "{bits} bits: {open} open");
     }
 }
