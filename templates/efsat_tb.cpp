@@ -163,7 +163,7 @@ int main(int argc, char **argv) {
         quiet = 0;
         const uint64_t answer = answer_of(*unit), expected = answers[taken % in_flight];
 {%- if tag_width > 0 %}
-        const bool tag_fits = unit->out_tag == taken % {{ tags }};
+        const bool tag_fits = unit->out_tag == (taken + 1) % {{ tags }};
 {%- else %}
         const bool tag_fits = true;
 {%- endif %}
@@ -220,7 +220,8 @@ int main(int argc, char **argv) {
           pairs[offered % in_flight] = records.words[0];
           answers[offered % in_flight] = read_word(records.words[1])[0];
 {%- if tag_width > 0 %}
-          unit->in_tag = offered % {{ tags }};
+          // From 1 on, as what was never written is 0.
+          unit->in_tag = (offered + 1) % {{ tags }};
 {%- endif %}
           unit->in_valid = 1;
           offered++;

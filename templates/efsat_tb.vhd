@@ -225,7 +225,7 @@ begin
           quiet := 0;
           tag_fits := true;
 {%- if tag_width > 0 %}
-          tag_fits := out_tag = std_logic_vector(resize(to_unsigned(taken mod {{ tags }}, 31), {{ tag_width }}));
+          tag_fits := out_tag = std_logic_vector(resize(to_unsigned((taken + 1) mod {{ tags }}, 31), {{ tag_width }}));
 {%- endif %}
           if answer /= answers(taken mod in_flight) or not tag_fits then
             mismatches := mismatches + 1;
@@ -304,7 +304,8 @@ begin
               pairs(offered mod in_flight) := word;
               answers(offered mod in_flight) := answer_read;
 {%- if tag_width > 0 %}
-              in_tag <= std_logic_vector(resize(to_unsigned(offered mod {{ tags }}, 31), {{ tag_width }}));
+              -- From 1 on, as what was never written is 0.
+              in_tag <= std_logic_vector(resize(to_unsigned((offered + 1) mod {{ tags }}, 31), {{ tag_width }}));
 {%- endif %}
               in_valid <= '1';
               offered := offered + 1;

@@ -216,7 +216,7 @@ begin
         if (out_valid and out_ready) = '1' then
           quiet := 0;
           tag_fits := true;
-          tag_fits := out_tag = std_logic_vector(resize(to_unsigned(taken mod 65536, 31), 16));
+          tag_fits := out_tag = std_logic_vector(resize(to_unsigned((taken + 1) mod 65536, 31), 16));
           if answer /= answers(taken mod in_flight) or not tag_fits then
             mismatches := mismatches + 1;
             if mismatches <= 10 then
@@ -289,7 +289,8 @@ begin
               pair <= word;
               pairs(offered mod in_flight) := word;
               answers(offered mod in_flight) := answer_read;
-              in_tag <= std_logic_vector(resize(to_unsigned(offered mod 65536, 31), 16));
+              -- From 1 on, as what was never written is 0.
+              in_tag <= std_logic_vector(resize(to_unsigned((offered + 1) mod 65536, 31), 16));
               in_valid <= '1';
               offered := offered + 1;
             when 'P' =>
