@@ -95,6 +95,7 @@ const VHDL: &[Explanation] = &[
     same_in_several("sequencer:full_if_moved:*", LAST_PHASE),
     same_in_several("sequencer:accepted_moved:constant:'0' -> '1'", LAST_PHASE),
     same_in_several("sequencer:accepted_moved:delay:a register too many", LAST_PHASE),
+    same_in_several("sequencer:accepted_ahead:delay:a register too many", LAST_PHASE),
     same_in_several("sequencer:last_phase:constant:'0' -> '1'", NOT_YET),
     same_in_several("sequencer:load_phase:constant:'1' -> '0'", NOT_YET),
     same("sequencer:running:constant:'0' -> '1'", RUNNING),
