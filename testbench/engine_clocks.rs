@@ -19,10 +19,11 @@ use nalgebra::Matrix3;
 /// So many queries of the default scene, evenly spread over its 1,282.
 const QUERIES: usize = 22;
 
-/// Clocks per query of these, as `efsat cosim --engine --limit 22` says, and with block RAM of 8192 lines, when the engine was last
-/// changed on purpose.
+/// Clocks per query of these, as `efsat cosim --engine --limit 22` says, with block RAM of 8192 lines, and with an expansion and a pair
+/// per clock, when the engine was last changed on purpose.
 const WITH_CACHES: f64 = 706.2;
 const WITH_BLOCK_RAM: f64 = 465.6;
+const PER_CLOCK: f64 = 435.0;
 
 /// The most that they may grow, as a factor.
 const SLOWER: f64 = 1.02;
@@ -142,4 +143,19 @@ fn queries_in_block_ram_take_as_many_clocks_as_ever() {
     let engine =
         EngineParams { memory: Memory::BlockRam, block_lines: lines, triangle_lines: lines, ..EngineParams::default() };
     clocks_per_query(&engine, WITH_BLOCK_RAM, &[Channel { gaps: true, ..Channel::default() }]);
+}
+
+#[test]
+#[ignore = "the same with another engine: scripts/test full"]
+fn queries_of_an_engine_with_an_expansion_per_clock_take_as_many_clocks_as_ever() {
+    let engine = EngineParams {
+        expansion_clocks: 1,
+        memory_width: 512,
+        in_flight: 64,
+        pair_queue: 1024,
+        block_lines: 4096,
+        triangle_lines: 4096,
+        ..EngineParams::default()
+    };
+    clocks_per_query(&engine, PER_CLOCK, &[]);
 }

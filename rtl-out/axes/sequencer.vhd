@@ -49,7 +49,7 @@ architecture rtl of sequencer is
   signal full : std_logic;
   signal accepts : std_logic;
   signal phase_equal : std_logic;
-  signal load_phase : std_logic := '1';  -- the last phase, in which hundreds of registers load; set in reset, where nothing is read of them
+  signal load_phase : std_logic := '1';  -- the last phase, in which hundreds of registers load; set in reset and in the first clock after, where nothing is accepted
   signal accept_pair : std_logic;
   signal holds_i : std_logic_vector(5 downto 0) := (others => '0');
   signal decide_phase : std_logic := '0';  -- set in phase 3

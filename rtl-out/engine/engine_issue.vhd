@@ -163,7 +163,7 @@ begin
     choice_lane(digit) <= '0' when has_bit = nobody else '1';
   end generate number_lane;
   chosen_entry <= top_entry(to_integer(chosen_lane));
-  -- Of registers alone, as hundreds of cells hang on it; a cache serves no line per clock either.
+  -- Of registers alone, as hundreds of cells hang on it: a pair every other clock is more than the volume unit takes.
   issue_free <= not issued;
   some_chosen <= '0' when chosen = nobody else '1';
   lives <= chosen and not ending;

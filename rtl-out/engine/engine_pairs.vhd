@@ -77,7 +77,7 @@ architecture rtl of engine_pairs is
   signal none_full : std_logic;
   signal accepts : std_logic;
   signal passes : std_logic;  -- it is the next one of the front lane, and passes by its queue
-  signal fetches : std_logic;  -- the memory is read, also where nothing waits
+  signal fetches : std_logic;  -- the memory is read, also where nothing waits; of three clocks in two, if there is always more
   -- The first pair of the front lane and the two behind it: a memory is far from where its word goes, and that the first one
   -- leaves is known late in a clock, so that one more is read whenever there is a place.
   signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');

@@ -163,7 +163,7 @@ begin
     choice_lane(digit) <= '0' when has_bit = nobody else '1';
   end generate number_lane;
   chosen_entry <= top_entry(to_integer(chosen_lane));
-{% if e.axi %}  -- Of registers alone, as hundreds of cells hang on it; a cache serves no line per clock either.
+{% if e.traversal.paced %}  -- Of registers alone, as hundreds of cells hang on it: a pair every other clock is more than the volume unit takes.
   issue_free <= not issued;
 {% else %}  issue_free <= request_ready or not issued;
 {% endif %}  some_chosen <= '0' when chosen = nobody else '1';
@@ -217,7 +217,7 @@ begin
       else
         if issue_free = '1' then
           issued <= pop;
-{% if e.axi %}        elsif request_ready = '1' then
+{% if e.traversal.paced %}        elsif request_ready = '1' then
           issued <= '0';
 {% endif %}        end if;
         if (issue_free or not some_chosen) = '1' then

@@ -77,7 +77,7 @@ architecture rtl of {{ prefix }}engine_pairs is
   signal none_full : std_logic;
   signal accepts : std_logic;
   signal passes : std_logic;  -- it is the next one of the front lane, and passes by its queue
-  signal fetches : std_logic;  -- the memory is read, also where nothing waits
+  signal fetches : std_logic;  -- the memory is read, also where nothing waits{% if e.unit.paced %}; of three clocks in two, if there is always more{% endif %}
   -- The first pair of the front lane and the two behind it: a memory is far from where its word goes, and that the first one
   -- leaves is known late in a clock, so that one more is read whenever there is a place.
   signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
@@ -137,7 +137,7 @@ begin
   request_b <= head(27 downto 0);
   moves <= request_ready or not head_valid;
   -- What an ending query fetches here is forgotten in the same clock.
-  fetches <= not (next_valid and read_valid);
+  fetches <= {% if e.unit.paced %}not (next_valid and read_valid){% else %}moves or not (next_valid and read_valid){% endif %};
   front <= std_logic_vector(front_lane);
 
   last_left <= '0' when some_of_last = '0' or (triangles_taken = '1' and of_last = 1) else '1';

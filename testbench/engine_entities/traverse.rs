@@ -318,7 +318,7 @@ impl Around<'_> {
             let free = lane == self.oldest || self.without_blocks < crowd + 2;
             expect(free, self.clock, "a younger query in front of the oldest")?;
             let flying = self.asked.iter().chain(&self.tested).filter(|flight| flight.lane == lane).count() as u32;
-            let room = lane == self.oldest || self.run(lane).queued + 4 * (flying + 1) <= params.pair_queue;
+            let room = lane == self.oldest || self.run(lane).queued + 4 * (flying + 1) < params.pair_queue;
             expect(room, self.clock, "a younger query that may fill its queue")?;
             self.run(lane).found.expansions += 1;
             self.without_blocks += 1;

@@ -98,7 +98,7 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
         (Some(_), Some(last_next)) => {
             let phase = m.register("load_phase", Type::FLAG);
             phase.comment(
-                "the last phase, in which hundreds of registers load; set in reset, where nothing is read of them",
+                "the last phase, in which hundreds of registers load; set in reset and in the first clock after, where nothing is accepted",
             );
             phase.loads(last_next, None, Some((reset, 1)));
             (in_valid, (in_valid & phase).named("load"))

@@ -2,7 +2,7 @@
 
 use super::{binary, places, zeros};
 use crate::artefact::EngineDesign;
-use crate::params::EngineParams;
+use crate::params::{EngineParams, Memory};
 
 /// Entries of the stack, and how many of everything there may be.
 #[derive(Debug)]
@@ -24,6 +24,8 @@ pub(crate) struct Traversal {
     pub all_pairs: u32,
     pub pair_bits: u32,
     pub pair_room_bits: u32,
+    /// The volume unit takes far less than a pair of nodes every other clock, and so many are popped at most.
+    pub paced: bool,
     /// Pairs of nodes without blocks, in front of which a younger query waits.
     pub crowd: u32,
     pub open_bits: u32,
@@ -62,6 +64,7 @@ impl Traversal {
             all_pairs: params.queries * params.pair_queue,
             pair_bits: params.pair_queue.ilog2(),
             pair_room_bits: 34 - (params.pair_queue + 4 * params.in_flight + 8).leading_zeros(),
+            paced: params.memory == Memory::Axi && params.expansion_clocks > 2,
             crowd: BLOCK_CLOCKS.div_ceil(params.expansion_clocks) + 1,
             open_bits: 33 - open.leading_zeros(),
         }
