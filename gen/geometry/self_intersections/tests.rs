@@ -191,7 +191,7 @@ fn small(rng: &mut ChaCha8Rng, place: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
 
 #[test]
 fn every_pair_of_small_meshes_is_what_the_extreme_points_say() {
-    pairs_are_what_the_extreme_points_say(50);
+    pairs_are_what_the_extreme_points_say(150);
 }
 
 #[test]
