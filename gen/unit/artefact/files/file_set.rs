@@ -349,6 +349,7 @@ fn exchange(_: &Path, _: &Path) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use efsat_hardware::testing::full;
     use std::fs;
 
     fn set(files: &[(&str, &str)]) -> FileSet {
@@ -429,7 +430,7 @@ mod tests {
         let relaxed = std::sync::atomic::Ordering::Relaxed;
         std::thread::scope(|scope| {
             let writer = scope.spawn(|| {
-                let written = (0..100).try_for_each(|i| sets[i % 2].write(&dir));
+                let written = (0..if full() { 300 } else { 100 }).try_for_each(|i| sets[i % 2].write(&dir));
                 done.store(true, relaxed);
                 written
             });

@@ -7,6 +7,7 @@ use crate::params::{Axes, Guard, Method, Params, Transform, Upper};
 use crate::words::{AnswerFields, StreamReport, StreamWidth, verdict_status};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample;
+use efsat_hardware::testing::full;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
@@ -261,7 +262,7 @@ fn damage_that_can_be_recognised_is_never_accepted() {
         let job = || driver.loose(&given).unwrap();
         let good = StandIn::new(&params, StreamWidth::Bits64).unwrap().answer(job().transfers());
         let (mut refused, mut tried) = (0, 0);
-        let (first, rounds) = (good.len() - job().sent(), 1_000);
+        let (first, rounds) = (good.len() - job().sent(), if full() { 4_000 } else { 1_000 });
         for round in 0..rounds {
             let mut answers = good.clone();
             let at = rng.random_range(first..good.len());
