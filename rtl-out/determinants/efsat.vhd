@@ -113,6 +113,9 @@ architecture rtl of efsat is
   signal offered_verdict : unsigned(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
   signal offered_separated : unsigned(8 downto 0);  -- bit i: of witness i
   signal offered_overlapping : unsigned(8 downto 0);  -- bit i: of witness i
+  signal pair_tag : unsigned(15 downto 0) := (others => '0');
+  signal tag_accepted : std_logic := '0';
+  signal tag_address : unsigned(5 downto 0) := (others => '0');
   type tag_queue_words_t is array (0 to 63) of unsigned(15 downto 0);
   signal tag_queue_words : tag_queue_words_t := (others => (others => '0'));
   signal tag_queue : unsigned(15 downto 0);  -- tags of the pairs accepted and not yet taken
@@ -134,6 +137,7 @@ begin
       next_t(1) <= signed(pose_t_y);
       next_t(2) <= signed(pose_t_z);
       next_bypass <= pose_bypass;
+      tag_address <= control_accept_address;
     end if;
   end process registers;
   result_word <= path_outside & unsigned(path_overlapping) & unsigned(path_separated) & path_verdict;
@@ -175,6 +179,7 @@ begin
         pair_w(2)(0) <= signed(in_w2_x);
         pair_w(2)(1) <= signed(in_w2_y);
         pair_w(2)(2) <= signed(in_w2_z);
+        pair_tag <= unsigned(in_tag);
       end if;
       if control_pose_load = '1' then
         active_m <= next_m;
@@ -196,6 +201,11 @@ begin
       elsif control_pose_load = '1' then
         active_bypass <= next_bypass;
       end if;
+      if reset = '1' then
+        tag_accepted <= '0';
+      else
+        tag_accepted <= control_accept;
+      end if;
     end if;
   end process state;
   write_result_queue : process (clk)
@@ -210,8 +220,8 @@ begin
   write_tag_queue : process (clk)
   begin
     if rising_edge(clk) then
-      if control_accept = '1' then
-        tag_queue_words(to_integer(known(control_accept_address))) <= unsigned(in_tag);
+      if tag_accepted = '1' then
+        tag_queue_words(to_integer(known(tag_address))) <= pair_tag;
       end if;
     end if;
   end process write_tag_queue;

@@ -115,11 +115,20 @@ architecture rtl of efsat is
   signal offered_verdict : unsigned(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
   signal offered_separated : unsigned(10 downto 0);  -- bit i: of axis i
   signal offered_overlapping : unsigned(10 downto 0);  -- bit i: of axis i
+  signal pair_tag : unsigned(57 downto 0) := (others => '0');
+  signal tag_accepted : std_logic := '0';
+  signal tag_address : unsigned(3 downto 0) := (others => '0');
   type tag_queue_words_t is array (0 to 15) of unsigned(57 downto 0);
   signal tag_queue_words : tag_queue_words_t := (others => (others => '0'));
   signal tag_queue : unsigned(57 downto 0);  -- tags of the pairs accepted and not yet taken
   signal offered_tag : unsigned(57 downto 0) := (others => '0');  -- the host's; comes back with the verdict
 begin
+  registers : process (clk)
+  begin
+    if rising_edge(clk) then
+      tag_address <= control_accept_address;
+    end if;
+  end process registers;
   result_word <= path_outside & unsigned(path_overlapping) & unsigned(path_separated) & path_verdict;
   offered_verdict <= offered_word(1 downto 0);
   offered_separated <= offered_word(12 downto 2);
@@ -159,6 +168,7 @@ begin
         pair_w(2)(0) <= signed(in_w2_x);
         pair_w(2)(1) <= signed(in_w2_y);
         pair_w(2)(2) <= signed(in_w2_z);
+        pair_tag <= unsigned(in_tag);
       end if;
       if control_pose_ready = '1' then
         next_m(0)(0) <= signed(pose_m00);
@@ -195,6 +205,11 @@ begin
       elsif control_pose_load = '1' then
         active_bypass <= next_bypass;
       end if;
+      if reset = '1' then
+        tag_accepted <= '0';
+      else
+        tag_accepted <= control_accept;
+      end if;
     end if;
   end process state;
   write_result_queue : process (clk)
@@ -209,8 +224,8 @@ begin
   write_tag_queue : process (clk)
   begin
     if rising_edge(clk) then
-      if control_accept = '1' then
-        tag_queue_words(to_integer(known(control_accept_address))) <= unsigned(in_tag);
+      if tag_accepted = '1' then
+        tag_queue_words(to_integer(known(tag_address))) <= pair_tag;
       end if;
     end if;
   end process write_tag_queue;

@@ -62,13 +62,19 @@ architecture rtl of engine_flight is
   signal answered_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
   type entries is array (0 to flight_places - 1) of std_logic_vector(entry_bits - 1 downto 0);
   signal entry_memory : entries := (others => (others => '0'));
-  type children is array (0 to flight_places - 1) of std_logic_vector(131 downto 0);
+  type children is array (0 to flight_places - 1) of std_logic_vector(119 downto 0);
   signal children_memory : children := (others => (others => '0'));
+  -- What their pairs are is found late in a clock, and written in the next.
+  type kinds_of_pairs is array (0 to flight_places - 1) of std_logic_vector(11 downto 0);
+  signal kinds_memory : kinds_of_pairs := (others => (others => '0'));
+  signal kinds_found : std_logic := '0';
+  signal found_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal found_kinds : std_logic_vector(11 downto 0) := (others => '0');  -- faults, pairs of leaves, pairs of nodes
   type lane_list is array (0 to flight_places - 1) of unsigned(lane_bits - 1 downto 0);
   signal lane_memory : lane_list := (others => (others => '0'));
 
   signal taken_entry : std_logic_vector(entry_bits - 1 downto 0);
-  signal taken_lane : unsigned(lane_bits - 1 downto 0);
+  signal taken_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- a clock later: between two that are taken there are more
   signal listed_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal there_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal wanted_a : std_logic_vector(1 downto 0);
@@ -99,14 +105,16 @@ architecture rtl of engine_flight is
   signal listed_faults : std_logic_vector(3 downto 0);
 
   -- The oldest of the pairs whose children are listed.
-  signal answered_children : std_logic_vector(131 downto 0);
+  signal answered_children : std_logic_vector(119 downto 0);
+  signal answered_faults : std_logic_vector(3 downto 0);
+  signal answered_leaves : std_logic_vector(3 downto 0);
+  signal answered_nodes : std_logic_vector(3 downto 0);
   signal answered_lane : unsigned(lane_bits - 1 downto 0);
   -- Its answer, a clock later.
   signal met_lane_now : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal wrong : std_logic := '0';  -- a survivor has a wrong link
 begin
   taken_entry <= entry_memory(to_integer(taken_place));
-  taken_lane <= lane_memory(to_integer(taken_place));
   take_lane <= std_logic_vector(taken_lane);
   wanted_a <= taken_entry(entry_children_a);
   wanted_b <= taken_entry(entry_children_b);
@@ -159,6 +167,7 @@ begin
         entry_memory(to_integer(popped_place)) <= popped_entry;
         lane_memory(to_integer(popped_place)) <= popped_lane;
       end if;
+      taken_lane <= lane_memory(to_integer(taken_place));
       tested <= tests;
       tested_lane <= std_logic_vector(there_lane);
       listed_lane <= taken_lane;
@@ -174,9 +183,14 @@ begin
       if listed = '1' then
         there_a <= listed_a and present_a;
         there_b <= listed_b and present_b;
-        children_memory(to_integer(listed_place)) <= listed_faults & listed_leaves & listed_nodes
-          & leaf_a(1) & fault_a(1) & right_a & leaf_a(0) & fault_a(0) & left_a
+        children_memory(to_integer(listed_place)) <= leaf_a(1) & fault_a(1) & right_a & leaf_a(0) & fault_a(0) & left_a
           & leaf_b(1) & fault_b(1) & right_b & leaf_b(0) & fault_b(0) & left_b;
+      end if;
+      kinds_found <= listed and not reset;
+      found_place <= listed_place;
+      found_kinds <= listed_faults & listed_leaves & listed_nodes;
+      if kinds_found = '1' then
+        kinds_memory(to_integer(found_place)) <= found_kinds;
       end if;
       if reset = '1' then
         popped_place <= (others => '0');
@@ -214,6 +228,9 @@ begin
   end generate kinds;
 
   answered_children <= children_memory(to_integer(answered_place));
+  answered_faults <= kinds_memory(to_integer(answered_place))(11 downto 8);
+  answered_leaves <= kinds_memory(to_integer(answered_place))(7 downto 4);
+  answered_nodes <= kinds_memory(to_integer(answered_place))(3 downto 0);
   answered_lane <= lane_memory(to_integer(answered_place));
 
   meet : process (clk)
@@ -222,21 +239,21 @@ begin
       brings_nodes <= '0';
       brings_leaves <= '0';
       wrong <= '0';
-      if (survive and answered_children(131 downto 128)) /= "0000" then
+      if (survive and answered_faults) /= "0000" then
         wrong <= survive_valid and not reset;
       elsif ending(to_integer(answered_lane)) = '0' then
-        if (survive and answered_children(123 downto 120)) /= "0000" then
+        if (survive and answered_nodes) /= "0000" then
           brings_nodes <= survive_valid and not reset;
         end if;
-        if (survive and answered_children(127 downto 124)) /= "0000" then
+        if (survive and answered_leaves) /= "0000" then
           brings_leaves <= survive_valid and not reset;
         end if;
       end if;
       met_entry <= entry_memory(to_integer(answered_place));
-      met_family <= answered_children(119 downto 0);
+      met_family <= answered_children;
       met_lane_now <= answered_lane;
-      met_nodes <= survive and answered_children(123 downto 120);
-      met_leaves <= survive and answered_children(127 downto 124);
+      met_nodes <= survive and answered_nodes;
+      met_leaves <= survive and answered_leaves;
       met <= survive_valid and not reset;
     end if;
   end process meet;

@@ -79,9 +79,9 @@ architecture rtl of engine_survivors is
   signal leaf_numbers : std_logic_vector(111 downto 0) := (others => '0');
   signal leaves_left : std_logic_vector(3 downto 0) := "0000";
   signal leaf_pick : std_logic_vector(3 downto 0);
-  signal some_leaves : std_logic;
+  signal some_leaves : std_logic := '0';  -- of leaves_left, a register, as much waits for it
   signal leaves_ended : std_logic := '0';  -- the query ends
-  signal last_leaves : std_logic;
+  signal last_leaves : std_logic := '0';
   signal last_sent : std_logic;  -- the last pair of a record, or the query ends
 
   -- Survivors that are pushed one by one, from right and right to left and left.
@@ -302,8 +302,6 @@ begin
     "0100" when leaves_left(2) = '1' else
     "0010" when leaves_left(1) = '1' else
     leaves_left;
-  some_leaves <= '0' when leaves_left = "0000" else '1';
-  last_leaves <= '1' when leaves_left = leaf_pick else '0';
   pair_due <= some_leaves and not leaves_ended;
   last_sent <= some_leaves and (leaves_ended or (pair_ready and last_leaves));
   pair_valid <= pair_due;
@@ -314,22 +312,32 @@ begin
   pair_b <= leaf_numbers(55 downto 28) when (leaf_pick(3) or leaf_pick(1)) = '1' else leaf_numbers(27 downto 0);
 
   part : process (clk)
+    variable next_left : std_logic_vector(3 downto 0);
   begin
     if rising_edge(clk) then
+      next_left := leaves_left;
       leaves_ended <= ending(to_integer(leaf_lane));
       if leaves_free = '1' then
         leaf_numbers <= next_leaves(111 downto 0);
         leaf_lane <= next_leaf_lane;
         leaves_ended <= ending(to_integer(next_leaf_lane));
-        leaves_left <= "0000";
+        next_left := "0000";
         if (leaves_wait or brings_leaves) = '1' then
-          leaves_left <= next_leaves(115 downto 112);
+          next_left := next_leaves(115 downto 112);
         end if;
       elsif pair_ready = '1' then
-        leaves_left <= leaves_left and not leaf_pick;
+        next_left := leaves_left and not leaf_pick;
       end if;
       if reset = '1' then
-        leaves_left <= "0000";
+        next_left := "0000";
+      end if;
+      leaves_left <= next_left;
+      some_leaves <= '1';
+      last_leaves <= '0';
+      if next_left = "0000" then
+        some_leaves <= '0';
+      elsif next_left = "0001" or next_left = "0010" or next_left = "0100" or next_left = "1000" then
+        last_leaves <= '1';
       end if;
     end if;
   end process part;

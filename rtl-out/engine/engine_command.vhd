@@ -112,7 +112,6 @@ architecture rtl of engine_command is
   signal moving : std_logic := '0';  -- a pose does
   signal fault : std_logic_vector(4 downto 0) := fine;
   signal waits : std_logic;  -- the packet does
-  signal holds : std_logic;  -- the register has the words of a job that is not taken in this clock
   signal reset_taken : std_logic;  -- the word of a soft reset
   signal reset_now : std_logic := '0';  -- a clock later: control is busy from the next clock on
   signal clears : std_logic;
@@ -124,7 +123,7 @@ architecture rtl of engine_command is
   signal closing_query : std_logic := '0';
   signal closing_short : std_logic := '0';
   signal short_pending : std_logic := '0';
-  signal pending : std_logic := '0';
+  signal pending : std_logic := '0';  -- the register has the words of a job
   signal query_pending : std_logic := '0';
   signal posed_pending : std_logic := '0';
   signal short : std_logic := '0';  -- the packet is of kind 1 or 2
@@ -194,11 +193,10 @@ begin
   -- nowhere: its words wait for the register.
   waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and (head_kind(is_pairs)));
   taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when at_header = '1' else
-    head_valid and not occupied and not holds;
-  holds <= pending and not job_taken;
+    head_valid and not occupied and not pending;
   reset_taken <= at_header and head_valid and head_kind(is_reset);
   clears <= reset or soft_reset or reset_taken;
-  shifts <= (head_valid and gathers and not holds) or moving;
+  shifts <= (head_valid and gathers and not pending) or moving;
   -- A word that is none, in front of the first one or between two, is not looked at.
   unfit <= '0' when head_valid = '0' else '1' when
     (at_options = '1' and head(39 downto 36) /= "0000") or

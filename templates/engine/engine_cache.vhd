@@ -57,9 +57,9 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal next_address : unsigned(25 downto 0) := (others => '0');
   signal head_leaves : std_logic;
 
-  -- Look-up in two stages: a tag is read, then compared. A tag has a bit that says that the line is there. What the memory
-  -- says of a place is too old while a request for that place is in one of the two stages: then the youngest such request
-  -- counts, because its line is there after it.
+  -- Look-up in two stages: a tag is read, then compared. A tag has a bit that says that the line is there. Tags are not read in
+  -- a clock in which one is written, as what a memory gives then costs a table behind it. What the memory says of a place is too
+  -- old if the request in front is for that place: then that one counts, because its line is there after it.
   type tags is array (0 to line_count - 1) of std_logic_vector(tag_bits downto 0);
   signal tag_memory : tags := (others => (others => '0'));
   signal tag_found : std_logic_vector(tag_bits downto 0) := (others => '0');
@@ -68,7 +68,7 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal tag_written : std_logic_vector(tag_bits downto 0);
   signal looked : std_logic := '0';
   signal looked_at : unsigned(25 downto 0) := (others => '0');
-  signal follows : std_logic := '0';  -- another request for the place was under way
+  signal follows : std_logic := '0';  -- the request in front was for the place
   signal follows_same : std_logic := '0';  -- and it was for the same line
   signal looked_leaves : std_logic;
   signal judged : std_logic := '0';
@@ -101,7 +101,6 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal order : std_logic_vector(place_bits downto 0) := (others => '0');
   signal order_leaves : std_logic;
   signal order_place : unsigned(place_bits - 1 downto 0);
-  signal filled : std_logic := '0';  -- the line of the first request is written
   signal serves : std_logic;
   signal found : std_logic := '0';
 
@@ -130,7 +129,7 @@ begin
   -- ===== Requests =====
   request_ready <= ready;
   arrives <= ready and request_valid;
-  head_leaves <= head_valid and (looked_leaves or not looked);
+  head_leaves <= head_valid and not sweeping and ((order_free and hit) or not judged);
   next_stays <= '0' when head_leaves = '1' or head_valid = '0' else next_valid or arrives;
   sweeps <= '1' when flush = '1' or (sweeping = '1' and sweep_place /= line_count - 1) else '0';
   wanted <= unsigned(base) + unsigned(request({{ m.used_number }}));
@@ -188,15 +187,8 @@ begin
         looked_at <= address;
         follows <= '0';
         follows_same <= '0';
-        if judged = '1' and judged_at(place_bits - 1 downto 0) = address(place_bits - 1 downto 0) then
-          follows <= '1';
-          if judged_at = address then
-            follows_same <= '1';
-          end if;
-        end if;
         if looked = '1' and looked_at(place_bits - 1 downto 0) = address(place_bits - 1 downto 0) then
           follows <= '1';
-          follows_same <= '0';
           if looked_at = address then
             follows_same <= '1';
           end if;
@@ -225,7 +217,7 @@ begin
         reserved <= (others => '0');
       else
         if looked_leaves = '1' or looked = '0' then
-          looked <= head_valid;
+          looked <= head_leaves;
         end if;
         if passes = '1' or judged = '0' then
           judged <= looked;
@@ -254,8 +246,8 @@ begin
   new_order <= (not hit) & std_logic_vector(judged_at(place_bits - 1 downto 0));
   order_leaves <= serves or not order_valid;
   order_place <= unsigned(order(place_bits - 1 downto 0));
-  serves <= order_valid and (filled or not order(place_bits)) and {% if m.paced %}not found{% else %}(line_taken or not found){% endif %};
-  writes <= word_valid and order_valid and order(place_bits) and not filled;
+  serves <= order_valid and not order(place_bits) and {% if m.paced %}not found{% else %}(line_taken or not found){% endif %};
+  writes <= word_valid and order_valid and order(place_bits);
   last_word <= writes when word_place = words_per_line - 1 else '0';
   line_valid <= found;
   whole <= {% for i in m.word_places %}line_word({{ i }}){% if !loop.last %}
@@ -279,6 +271,8 @@ begin
         if some_wait = '1' then
           order <= order_memory(to_integer(order_out));
         end if;
+      elsif last_word = '1' then
+        order(place_bits) <= '0';
       end if;
       if reset = '1' then
         order_in <= (others => '0');
@@ -286,7 +280,6 @@ begin
         orders_waiting <= (others => '0');
         some_wait <= '0';
         order_valid <= '0';
-        filled <= '0';
         found <= '0';
         word_place <= "0000";
       else
@@ -309,7 +302,6 @@ begin
           order_valid <= some_wait or passes;
         end if;
         if serves = '1' then
-          filled <= '0';
           found <= '1';
         elsif line_taken = '1' then
           found <= '0';
@@ -318,7 +310,6 @@ begin
           word_place <= word_place + 1;
           if last_word = '1' then
             word_place <= "0000";
-            filled <= '1';
           end if;
         end if;
       end if;

@@ -37,10 +37,11 @@ architecture rtl of {{ prefix }}engine_children is
   constant tag_parts : natural := {{ e.blocks.block_tag_parts.len() }};
   constant usable : std_logic_vector(codes - 1 downto 0) := (others => '0');
   constant same : std_logic_vector(tag_parts - 1 downto 0) := (others => '0');
-  signal upper : std_logic_vector(codes - 1 downto 0);  -- bit i: the upper bits of code i are those of the unusable one
-  signal upper_before : std_logic_vector(codes - 1 downto 0) := (others => '0');
-  signal lower : std_logic_vector(codes - 1 downto 0);
-  signal lower_before : std_logic_vector(codes - 1 downto 0) := (others => '0');
+  -- Bit i of part p: part p of code i is that of the unusable one.
+  constant code_parts : natural := {{ e.blocks.code_parts }};
+  type code_flags is array (0 to code_parts - 1) of std_logic_vector(codes - 1 downto 0);
+  signal part : code_flags;
+  signal part_before : code_flags := (others => (others => '0'));
   signal other : std_logic_vector(tag_parts - 1 downto 0);  -- parts of the tag that differ
   signal other_before : std_logic_vector(tag_parts - 1 downto 0) := (others => '0');
   signal taken_before : std_logic := '0';
@@ -49,25 +50,31 @@ architecture rtl of {{ prefix }}engine_children is
   signal number : std_logic_vector(node_bits - 1 downto 0) := (others => '0');
 begin
 {%- for code in e.blocks.codes %}
-  upper({{ loop.index0 }}) <= '1' when data({{ code.upper.bits }}) = "{{ code.upper.due }}" else '0';
-  lower({{ loop.index0 }}) <= '1' when data({{ code.lower.bits }}) = "{{ code.lower.due }}" else '0';
+{%- let i = loop.index0 %}
+{%- for part in code %}
+  part({{ loop.index0 }})({{ i }}) <= '1' when data({{ part.bits }}) = "{{ part.due }}" else '0';
+{%- endfor %}
 {%- endfor %}
 {%- for part in e.blocks.block_tag_parts %}
   other({{ loop.index0 }}) <= '1' when data({{ part.bits }}) /= "{{ part.due }}" else '0';
 {%- endfor %}
 
   hold : process (clk)
+    variable all_parts : std_logic_vector(codes - 1 downto 0);
   begin
     if rising_edge(clk) then
       link(0) <= data(31 downto 0);
       link(1) <= data(63 downto 32);
       number <= own;
-      upper_before <= upper;
-      lower_before <= lower;
+      part_before <= part;
       other_before <= other;
       taken_before <= taken and not reset;
       bad <= '0';
-      if (upper_before and lower_before) /= usable or other_before /= same then
+      all_parts := part_before(0);
+      for p in 1 to part_before'high loop
+        all_parts := all_parts and part_before(p);
+      end loop;
+      if all_parts /= usable or other_before /= same then
         bad <= taken_before and not reset;
       end if;
     end if;

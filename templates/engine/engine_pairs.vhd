@@ -44,7 +44,7 @@ entity {{ prefix }}engine_pairs is
     triangles_taken : in std_logic;
     triangles_lane : out std_logic_vector(lane_bits - 1 downto 0);
     testable : out std_logic;  -- the unit has their pose
-    drops : out std_logic;  -- their query ends early
+    drops : out std_logic;  -- their query ends early, a clock later
     pose_valid : out std_logic;  -- the pose of the front lane is next
     pose_ready : in std_logic;
     -- Pairs in the unit.
@@ -104,7 +104,8 @@ architecture rtl of {{ prefix }}engine_pairs is
   signal last_left : std_logic;  -- there are some behind this clock
   signal front_left : std_logic;
   signal asked_one : std_logic := '0';  -- of_front counts it in this clock: its triangles come later
-  signal triangles_of : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- the last lane, or the front where none of it is left
+  signal triangles_of : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- the last lane, or the front where none of it is left; a clock later if the front moves
+  signal drops_them : std_logic := '0';  -- a clock ago their query was ending
   signal dropped : std_logic;
   signal has_pose : std_logic := '0';  -- the unit has the pose of the front lane, or is to keep the one it has
   signal offers_pose : std_logic;
@@ -145,8 +146,8 @@ begin
   front_left <= '0' when of_front = 0 or (triangles_taken = '1' and some_of_last = '0' and of_front = 1) else '1';
   triangles_lane <= std_logic_vector(triangles_of);
   testable <= some_of_last or has_pose;
-  drops <= ending(to_integer(triangles_of));
-  dropped <= triangles_valid and ending(to_integer(triangles_of));
+  drops <= drops_them;
+  dropped <= triangles_valid and drops_them;
   offers_pose <= posed(to_integer(front_lane)) and not has_pose and not some_of_last;
   pose_valid <= offers_pose;
 
@@ -201,6 +202,7 @@ begin
     variable change : integer range -2 to 1;
     variable left_of_last : unsigned(open_bits - 1 downto 0);
     variable left_of_front : unsigned(open_bits - 1 downto 0);
+    variable next_of : unsigned(lane_bits - 1 downto 0);
   begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
@@ -308,9 +310,9 @@ begin
       end if;
       advances <= may_advance and not advances and not ends_front;
       some_of_last <= last_left;
-      triangles_of <= front_lane;
+      next_of := front_lane;
       if last_left = '1' then
-        triangles_of <= last_lane;
+        next_of := last_lane;
       end if;
       if (advances or ends_front) = '1' then
         left_of_last := left_of_front;
@@ -321,9 +323,6 @@ begin
         for lane in 0 to lanes - 1 loop
           is_front(lane) <= is_front((lane + lanes - 1) mod lanes);
         end loop;
-        if front_left = '0' then
-          triangles_of <= next_lane;
-        end if;
         has_pose <= '0';
       end if;
       if advances = '1' and retire = '0' then
@@ -338,13 +337,15 @@ begin
         front_lane <= unsigned(oldest);
         is_front <= oldest_flags;
         front_is_oldest <= '1';
-        triangles_of <= unsigned(oldest);
+        next_of := unsigned(oldest);
         has_pose <= '0';
         advances <= '0';
         head_valid <= '0';
         next_valid <= '0';
         read_valid <= '0';
       end if;
+      triangles_of <= next_of;
+      drops_them <= ending(to_integer(next_of)) and not reset;
       of_last <= left_of_last;
       of_front <= left_of_front;
     end if;

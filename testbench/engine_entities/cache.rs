@@ -87,7 +87,10 @@ fn cache(entity: &mut Entity, words: u64) -> Outcome {
 fn caches_give_and_replace_lines() {
     let design = small(Memory::Axi);
     let changes = [
-        ("(filled or not order(", "('1' or not order("),
+        ("serves <= order_valid and not order(place_bits)", "serves <= order_valid"),
+        ("order(place_bits) <= '0';", "null;"),
+        // A tag is read in the clock in which it is written.
+        ("((order_free and hit) or not judged)", "(order_free or not judged)"),
         ("if looked = '1' and looked_at(", "if looked = '0' and looked_at("),
         ("same = all_same or same_as_before = '1' else", "same = all_same else"),
         ("same(tag_parts) <= tag_found(tag_bits) and not follows;", "same(tag_parts) <= tag_found(tag_bits);"),

@@ -109,13 +109,13 @@ fn blocks_and_links_are_checked() {
     let changes = [
         ("target <= unsigned(number)", "target < unsigned(number)"),
         ("beyond <= '1' when target >= unsigned", "beyond <= '1' when target > unsigned"),
-        ("(upper_before and lower_before) /= usable", "upper_before /= usable"),
+        ("all_parts := all_parts and part_before(p);", "all_parts := all_parts;"),
         (
-            "lower(35) <= '1' when data(506 downto 502) = \"00000\"",
-            "lower(35) <= '1' when data(506 downto 502) = \"11111\"",
+            "part(1)(35) <= '1' when data(509 downto 506) = \"0000\"",
+            "part(1)(35) <= '1' when data(509 downto 506) = \"1111\"",
         ),
         ("or other_before /= same", ""),
-        ("data(151 downto 147) /= \"00000\"", "data(150 downto 147) /= \"0000\""),
+        ("data(151 downto 150) /= \"00\"", "data(150 downto 150) /= \"0\""),
         ("target(30 downto node_bits) /= 0", "target(29 downto node_bits) /= 0"),
     ];
     tried(&small(Memory::Axi), "engine_children", &changes, children);

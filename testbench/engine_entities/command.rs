@@ -402,7 +402,14 @@ fn command(entity: &mut Entity) -> Outcome {
         // Something runs from the job on; what is below depends on it.
         let (job, pair) = (entity.is("job_valid"), entity.is("pair_valid"));
         let held = matches!(packets.due.front(), Some((_, Work::Job { stops: first, .. })) if stops < *first);
-        let soft = seldom(&mut packets.rng, if clock % 2000 < 1000 || hold > 25 { 100 } else { 1000 });
+        let soft = seldom(
+            &mut packets.rng,
+            match hold {
+                26.. => 16,
+                _ if clock % 2000 < 1000 => 100,
+                _ => 1000,
+            },
+        );
         let is_reset = word
             .is_some_and(|(word, whole, last)| first && whole && last && packets.format.is_order(Command::Reset, word));
         // One that waits behind words of a query waits for the job before them.
@@ -474,8 +481,8 @@ fn every_packet_becomes_what_it_is() {
         ("((pending or closing) and", "(pending and"),
         // The header of a query is taken early: one that ends its packet, words behind it, and what the job before is.
         ("kind(is_job) <= s_axis_tlast or not kind(is_query);", "kind(is_job) <= not kind(is_query);"),
-        ("not occupied and not holds;", "not occupied;"),
-        ("(head_valid and gathers and not holds)", "(head_valid and gathers)"),
+        ("not occupied and not pending;", "not occupied;"),
+        ("(head_valid and gathers and not pending)", "(head_valid and gathers)"),
         ("job_short <= short_pending;", "job_short <= short;"),
         // Soft resets: by a word that waits, that has bits which mean nothing, that leaves a job or a pair; by the port, with
         // packets that go on or words that are held.

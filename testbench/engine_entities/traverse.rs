@@ -210,6 +210,8 @@ struct Around<'a> {
     without_blocks: u32,
     /// The lane of the blocks of the clock before.
     listed: usize,
+    /// Blocks were taken a clock ago: a volume unit of several clocks takes none then.
+    rests: bool,
 }
 
 impl Around<'_> {
@@ -218,7 +220,8 @@ impl Around<'_> {
         // For a while it takes few.
         let takes =
             if (self.clock / 256).is_multiple_of(2) { !seldom(&mut self.rng, 3) } else { seldom(&mut self.rng, 4) };
-        let taken = self.asked.front().is_some_and(|flight| flight.due <= self.clock) && takes;
+        let taken = self.asked.front().is_some_and(|flight| flight.due <= self.clock) && takes && !self.rests;
+        self.rests = taken && self.design.params.expansion_clocks > 2;
         self.entity.set("blocks_taken", taken.into());
         for (i, port) in ["block_a", "block_b"].into_iter().enumerate() {
             // What is not taken means nothing.
@@ -434,6 +437,7 @@ fn traverse(entity: &mut Entity, design: EngineDesign, most: usize) -> Outcome {
         tested: VecDeque::new(),
         without_blocks: 0,
         listed: 0,
+        rests: false,
     };
     let rounds = if full() { 160 } else { 60 };
     let (mut round, mut finished) = (0, 0);
@@ -462,8 +466,10 @@ fn traverse(entity: &mut Entity, design: EngineDesign, most: usize) -> Outcome {
 }
 
 /// An engine with a stack that lets many pairs fly.
+/// That with eight queries takes blocks in two clocks one behind the other, the others do not.
 fn wide(queries: u32) -> EngineDesign {
-    let engine = EngineParams { stack: 100, queries, ..small(Memory::Axi).params };
+    let expansion_clocks = if queries == 8 { 2 } else { 4 };
+    let engine = EngineParams { stack: 100, queries, expansion_clocks, ..small(Memory::Axi).params };
     EngineDesign::new(&engine, &Params::default()).unwrap()
 }
 

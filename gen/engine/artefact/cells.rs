@@ -324,9 +324,9 @@ impl Sheet<'_> {
         let (lanes, lane) = (params.queries, params.lane_bits());
         // Which children an entry has and the fault of a child are not read.
         let met = self.read_bits(t.entry_bits - 4, t.entry_bits);
-        let flip_flops = 4 * t.flight_bits + 4 * lane + 25 + met + self.read_bits(4 * 29, 4 * 30) + lanes;
+        let flip_flops = 5 * t.flight_bits + 4 * lane + 38 + met + self.read_bits(4 * 29, 4 * 30) + lanes;
         let memories =
-            [t.entry_bits, met, lane, lane, self.read_bits(128, 132)].map(|bits| (Apart, t.flight_places, bits));
+            [t.entry_bits, met, lane, lane, self.read_bits(116, 120), 12].map(|bits| (Apart, t.flight_places, bits));
         let own = self.entity("engine_flight", flip_flops, &memories, &[(4, t.flight_bits)], 60);
         own.holding(vec![self.children().times(2)])
     }
@@ -340,7 +340,7 @@ impl Sheet<'_> {
         let (cell, unread) = (self.fabric.memory_cell.1, 31 - child);
         let whole = (unread + 1).saturating_sub(cell) / cell * cell;
         let record = self.read_bits(entry + 4 * child, entry + 124 - 4 * whole);
-        let queues = 2 * (3 * flight + 2) + lane + 117;
+        let queues = 2 * (3 * flight + 2) + lane + 119;
         let pushed = 3 * lane + 18 + (entry - 4) + 4 * child + 2 * child + 2 * node + level;
         let memories = [record, lane, 116, lane].map(|bits| (Apart, t.flight_places, bits));
         let luts = self.of([314, 369, 305]) + 8 * node;
@@ -350,16 +350,19 @@ impl Sheet<'_> {
     /// Links and the number of a block; its codes and its tag, which are compared in parts.
     fn children(&self) -> Entity {
         let (blocks, node) = (&self.values.blocks, self.design.params.block_number_bits);
-        let (codes, tags, bits) = (blocks.code_count as u32, blocks.block_tag_parts.len() as u32, blocks.offset_bits);
-        let parts = codes * (self.compared(bits / 2) + self.compared(bits - bits / 2)) + tags * self.compared(5);
-        let luts =
-            self.of([190, 33, 136]) + node * self.of([3, 0, 3]) / 4 + parts + (codes + tags) * self.of([5, 5, 4]) / 8;
+        let [codes, parts_of_code, tags] =
+            [blocks.code_count, blocks.code_parts, blocks.block_tag_parts.len()].map(|count| count as u32);
+        let parts = (codes * parts_of_code + tags) * self.compared(4);
+        let luts = self.of([190, 33, 136])
+            + node * self.of([3, 0, 3]) / 4
+            + parts
+            + (codes * parts_of_code + tags) * self.of([5, 5, 4]) / 16;
         // Two or three bits are compared in a table.
         let chains = match self.of([2, 1, 3]) {
             1 => [(4, 31), (2, 31)],
             bits => [(4, 31u32.div_ceil(bits) + 1), (2, (node + 4) / bits + 1)],
         };
-        self.entity("engine_children", 2 * 32 + node + 2 * codes + tags + 2, &[], &chains, luts)
+        self.entity("engine_children", 2 * 32 + node + codes * parts_of_code + tags + 2, &[], &chains, luts)
     }
 
     /// Three entries, and places.
@@ -377,7 +380,7 @@ impl Sheet<'_> {
     fn pairs(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, place, open) = (params.queries, t.pair_bits, t.open_bits);
-        let flip_flops = lanes * (3 * place + open + 10) + 3 * params.lane_bits() + 2 * open + 7 + 2 * PAIR_BITS;
+        let flip_flops = lanes * (3 * place + open + 10) + 3 * params.lane_bits() + 2 * open + 8 + 2 * PAIR_BITS;
         let luts = self.of([2, 63, 17])
             + lanes * (place + 2 * open + self.of([37, 30, 29]))
             + 5 * open
@@ -404,7 +407,7 @@ impl Sheet<'_> {
         memories.push((Registered, lines.return_words, lines.word_bits));
         memories.push((Apart, lines.places, place + 1));
         let used = lines.used_number.high + 1;
-        let flip_flops = 5 * ADDRESS_BITS + lines.word_bits + 2 * place + 3 * returned + tags + 42;
+        let flip_flops = 5 * ADDRESS_BITS + lines.word_bits + 2 * place + 3 * returned + tags + 41;
         let chains = [(1, ADDRESS_BITS), (1, place), (2, 5), (3, 4), (2, returned), (1, returned + 1)];
         let luts = self.of([182, 190, 169]) + 2 * words + 2 * tags + used;
         self.entity(lines.entity, flip_flops, &memories, &chains, luts).times(2)

@@ -370,7 +370,14 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     of("out_valid").comment("a verdict is offered").output("out_valid");
     output_fields(p, offered);
     if let Some(tag) = tag {
-        let tags = m.memory("tag_queue", of("accept"), of("accept_address"), tag, of("take_address"));
+        // A tag may come late in its clock, and its queue is far from most: it is written a clock later.
+        let given = m.register("pair_tag", tag.ty());
+        given.loads(tag, Some(load), None);
+        let accepted = m.register("tag_accepted", Type::FLAG);
+        accepted.loads(of("accept"), None, Some((reset, 0)));
+        let address = m.register("tag_address", of("accept_address").ty());
+        address.loads(of("accept_address"), None, None);
+        let tags = m.memory("tag_queue", accepted, address, given, of("take_address"));
         tags.comment("tags of the pairs accepted and not yet taken");
         let offered_tag = m.register("offered_tag", tags.ty());
         offered_tag.loads(tags, Some(of("take")), None);

@@ -1,6 +1,6 @@
 //! Blocks of trees, and what they are compared with, in parts that a device compares fast.
 
-use super::{Bits, binary, zeros};
+use super::{Bits, binary};
 use crate::format::EngineFormat;
 use crate::words::BlockLayout;
 
@@ -11,17 +11,12 @@ pub(crate) struct Part {
     pub due: String,
 }
 
-/// A code of a block in two parts, compared with the one that is unusable.
-#[derive(Debug)]
-pub(crate) struct Code {
-    pub upper: Part,
-    pub lower: Part,
-}
-
 /// What is where in a block.
 #[derive(Debug)]
 pub(crate) struct Blocks {
-    pub codes: Vec<Code>,
+    /// Each in parts, compared with the one that is unusable.
+    pub codes: Vec<Vec<Part>>,
+    pub code_parts: usize,
     pub code_count: usize,
     pub offset_bits: u32,
     pub block_tag_parts: Vec<Part>,
@@ -33,6 +28,7 @@ impl Blocks {
     pub fn new(format: &EngineFormat) -> Self {
         Self {
             codes: (0..2 * format.k()).map(|i| code(format, i)).collect(),
+            code_parts: format.offset_bits.div_ceil(LONGEST) as usize,
             code_count: 2 * format.k() as usize,
             offset_bits: format.offset_bits,
             block_tag_parts: tag_parts(&format.block()),
@@ -47,24 +43,28 @@ pub(super) fn block_bits(format: &EngineFormat) -> u32 {
     8 * format.block().stride
 }
 
+/// Bits of a part: what one table of any part compares, as its word comes late in a clock.
+const LONGEST: u32 = 4;
+
 /// Code i of a block, both children counted through. The unusable code has its sign bit alone.
-fn code(format: &EngineFormat, i: u32) -> Code {
-    let (low, bits) = (BlockLayout::CODES_AT + format.offset_bits * i, format.offset_bits);
-    let (middle, end) = (low + bits / 2, low + bits);
-    let part = |low, end, due| Part { bits: Bits { high: end - 1, low }, due };
-    let upper = part(middle, end, binary(1 << (end - middle - 1), end - middle));
-    Code { upper, lower: part(low, middle, zeros(middle - low)) }
+fn code(format: &EngineFormat, i: u32) -> Vec<Part> {
+    let bits = format.offset_bits;
+    parts(BlockLayout::CODES_AT + bits * i, bits, 1 << (bits - 1))
 }
 
-/// The tag of a block and the zeros behind it, in parts that are no longer than those of a code.
+/// The tag of a block and the zeros behind it.
 fn tag_parts(block: &BlockLayout) -> Vec<Part> {
-    const LONGEST: u32 = 5;
-    (block.tag_at..BlockLayout::CODES_AT)
+    parts(block.tag_at, BlockLayout::CODES_AT - block.tag_at, block.tag)
+}
+
+/// So many bits from `low` on, which are to be `due`.
+fn parts(low: u32, bits: u32, due: u32) -> Vec<Part> {
+    (0..bits)
         .step_by(LONGEST as usize)
-        .map(|low| {
-            let bits = LONGEST.min(BlockLayout::CODES_AT - low);
-            let due = block.tag.checked_shr(low - block.tag_at).unwrap_or(0) & ((1 << bits) - 1);
-            Part { bits: Bits::new(low, bits), due: binary(due, bits) }
+        .map(|done| {
+            let bits = LONGEST.min(bits - done);
+            let due = due.checked_shr(done).unwrap_or(0) & ((1 << bits) - 1);
+            Part { bits: Bits::new(low + done, bits), due: binary(due, bits) }
         })
         .collect()
 }
