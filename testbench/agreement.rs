@@ -389,7 +389,7 @@ fn all_hold(cases: &[Case], check: impl Fn(&str, &Params) -> Result<(), String> 
 
 #[test]
 fn builtin_agrees_with_the_reference_model_in_every_option_value() {
-    let cases = [varied(&Params::default()), others_than_axes()].concat();
+    let cases = share(2, [varied(&Params::default()), others_than_axes()].concat());
     let pairs = if full() { 60 } else { 6 };
     all_hold(&cases, |name, p| agrees(name, p, pairs, Simulator::Builtin, true).map(|_| ()));
 }

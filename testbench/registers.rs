@@ -74,15 +74,16 @@ fn the_unit_answers_a_processor_as_the_reference_model() {
 }
 
 #[test]
+#[ignore = "compiles an engine; the same registers are around a unit on every change: scripts/test full"]
 fn the_engine_answers_a_processor_as_the_reference_model() {
     let narrow = EngineParams { axi_id_bits: 4, memory_width: 32, ..axi() };
     let cases = [(axi(), false), (narrow, false), (block_ram(), false), (axi(), true)];
-    let wrong: Vec<String> = share(4, cases)
+    let wrong: Vec<String> = cases
         .par_iter()
         .filter_map(|(params, by_number)| {
             let make = if *by_number { EngineDesign::by_number } else { EngineDesign::new };
             let design = make(params, &small()).unwrap();
-            let report = said(&bench(ghdl_of_long_runs(), &engine(&design))?, if full() { &[] } else { &SHORT });
+            let report = said(&bench(ghdl_of_long_runs(), &engine(&design))?, &[]);
             (!fine(&report)).then(|| format!("{}: {report}", design.command_line()))
         })
         .collect();
@@ -91,9 +92,6 @@ fn the_engine_answers_a_processor_as_the_reference_model() {
 
 /// One pass, and an end soon after nothing comes any more.
 const PASS: [&str; 2] = ["-gpasses=1", "-gpatience=2000"];
-
-/// Memory answers at once, unless everything is asked for.
-const SHORT: [&str; 4] = [PASS[0], PASS[1], "-glatency_least=1", "-glatency_most=1"];
 
 /// Changes of the registers around the unit.
 const MISTAKES: [(&str, &str); 24] = [

@@ -102,7 +102,12 @@ architecture rtl of engine_triangle_cache is
   signal order_leaves : std_logic;
   signal order_place : unsigned(place_bits - 1 downto 0);
   signal serves : std_logic;
+  signal line_read : std_logic := '0';  -- its words are behind the banks
+  signal line_free : std_logic;
+  signal comes_forward : std_logic;
   signal found : std_logic := '0';
+  -- Registers in front of all that reads a line, because block RAM gives its words late in a clock.
+  signal front_line : std_logic_vector(319 downto 0) := (others => '0');
 
   -- Words from memory
   type words is array (0 to most_returned - 1) of std_logic_vector(word_bits - 1 downto 0);
@@ -268,7 +273,9 @@ begin
   new_order <= (not hit) & std_logic_vector(judged_at(place_bits - 1 downto 0));
   order_leaves <= serves or not order_valid;
   order_place <= unsigned(order(place_bits - 1 downto 0));
-  serves <= order_valid and not order(place_bits) and not found;
+  line_free <= not found;
+  comes_forward <= line_read and line_free;
+  serves <= order_valid and not order(place_bits) and (line_free or not line_read);
   writes <= word_valid and order_valid and order(place_bits);
   last_word <= writes when word_place = words_per_line - 1 else '0';
   line_valid <= found;
@@ -278,13 +285,16 @@ begin
     & line_word(1)
     & line_word(0);
   -- A line ends within its last word: what is above is not of the line.
-  data <= whole(319 downto 0);
+  data <= front_line;
 
   serve : process (clk)
     variable queued : std_logic;
     variable leaves : std_logic;
   begin
     if rising_edge(clk) then
+      if line_free = '1' then
+        front_line <= whole(319 downto 0);
+      end if;
       -- A request that passes becomes the first one, or waits behind others.
       leaves := order_leaves and some_wait;
       queued := passes and (some_wait or not order_leaves);
@@ -305,6 +315,7 @@ begin
         orders_waiting <= (others => '0');
         some_wait <= '0';
         order_valid <= '0';
+        line_read <= '0';
         found <= '0';
         word_place <= "0000";
       else
@@ -327,6 +338,11 @@ begin
           order_valid <= some_wait or passes;
         end if;
         if serves = '1' then
+          line_read <= '1';
+        elsif line_free = '1' then
+          line_read <= '0';
+        end if;
+        if comes_forward = '1' then
           found <= '1';
         elsif line_taken = '1' then
           found <= '0';

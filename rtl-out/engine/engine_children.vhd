@@ -30,7 +30,7 @@ end entity engine_children;
 
 architecture rtl of engine_children is
   constant none : std_logic_vector(31 downto 0) := (others => '1');
-  -- The bits of a block come out of block RAM, late in their clock: they are compared in short parts, and the parts are put
+  -- The bits of a block may come out of block RAM, late in their clock: they are compared in short parts, and the parts are put
   -- together a clock later. A code is unusable if it has its sign bit alone. The tag has k in bits 7..0, bits of a code in 11..8,
   -- version in 15..12, then zeros.
   constant codes : natural := 36;

@@ -55,6 +55,7 @@ architecture rtl of engine_triangles is
   signal unit_v : std_logic_vector(287 downto 0);  -- nine words for each triangle
   signal unit_w : std_logic_vector(287 downto 0);
   signal unit_tag : std_logic_vector(lane_bits + 55 downto 0);
+  signal packet_tag : std_logic_vector(16 downto 0);
   signal unit_valid : std_logic;
   signal unit_ready : std_logic;
   signal tested_valid : std_logic;
@@ -81,8 +82,9 @@ begin
   -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign.
   unit_v <= triangle_a(triangle_corners) when of_queries = '1' else job_words(job_pair_v);
   unit_w <= triangle_b(triangle_corners) when of_queries = '1' else job_words(job_pair_w);
-  unit_tag <= triangles_lane & numbers when of_queries = '1' else
-    "00000000000000000000000000000000000000000" & packet_last & job_words(job_pair_tag);
+  packet_tag <= packet_last & job_words(job_pair_tag);
+  unit_tag(lane_bits + 55 downto packet_tag'length) <= triangles_lane & numbers(55 downto packet_tag'length);
+  unit_tag(packet_tag'range) <= numbers(packet_tag'range) when of_queries = '1' else packet_tag;
   packet_taken <= packet_valid and unit_ready;
 
   -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.

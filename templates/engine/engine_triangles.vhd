@@ -70,6 +70,7 @@ architecture rtl of {{ prefix }}engine_triangles is
   signal sticky_w : std_logic_vector(8 downto 0);
 {%- endif %}
   signal unit_tag : std_logic_vector(lane_bits + 55 downto 0);
+  signal packet_tag : std_logic_vector({{ e.unit.packet_tag }});
   signal unit_valid : std_logic;
   signal unit_ready : std_logic;
   signal tested_valid : std_logic;
@@ -126,8 +127,9 @@ begin
   sticky_v <= triangle_a(triangle_sticky) when of_queries = '1' else job_words(job_pair_sticky_v);
   sticky_w <= triangle_b(triangle_sticky) when of_queries = '1' else job_words(job_pair_sticky_w);
 {%- endif %}
-  unit_tag <= triangles_lane & numbers when of_queries = '1' else
-    "{{ e.unit.unit_tag_zeros }}" & {% if e.unit.signs.len() > 0 %}(packet_unfit or pose_unfit) & {% endif %}packet_last & job_words(job_pair_tag);
+  packet_tag <= {% if e.unit.signs.len() > 0 %}(packet_unfit or pose_unfit) & {% endif %}packet_last & job_words(job_pair_tag);
+  unit_tag(lane_bits + 55 downto packet_tag'length) <= triangles_lane & numbers(55 downto packet_tag'length);
+  unit_tag(packet_tag'range) <= numbers(packet_tag'range) when of_queries = '1' else packet_tag;
   packet_taken <= packet_valid and unit_ready;
 
   -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.

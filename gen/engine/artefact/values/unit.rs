@@ -35,8 +35,8 @@ pub(crate) struct Unit {
     /// Bits of the unit's tag above that of a pair.
     pub tag_last: u32,
     pub tag_unfit: u32,
-    /// The bits above these.
-    pub unit_tag_zeros: String,
+    /// All that a packet gives of the unit's tag.
+    pub packet_tag: Bits,
     pub flag_zeros: String,
     /// Bits of a word that are to be the sign of a number, if the unit has a guard and does not read them.
     pub signs: Vec<Bits>,
@@ -67,7 +67,7 @@ impl Unit {
             pair_tag: Bits::all(stream.tag_width),
             tag_last: stream.tag_width,
             tag_unfit: stream.tag_width + 1,
-            unit_tag_zeros: zeros(unit.tag_width - stream.tag_width - 1 - u32::from(!signs.is_empty())),
+            packet_tag: Bits::all(stream.tag_width + 1 + u32::from(!signs.is_empty())),
             flag_zeros: zeros(WORD - stream.answer_bits()),
             signs,
             sign_high: stream.spare_bits(),
