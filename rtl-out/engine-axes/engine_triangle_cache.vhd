@@ -6,7 +6,7 @@
 -- base + i (in 64 bytes); the low 9 bits choose its place, the others are its tag. A request that misses takes over the
 -- place at once and asks the memory; what was there is still given to the requests before it, because requests are served
 -- in order and words from memory are written when the request that asked for them is the next one. Memory is only asked if
--- there are places for all words of the answer (16 lines). A line is served a clock after the one before it is taken.
+-- there are places for all words of the answer (16 lines).
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -273,7 +273,7 @@ begin
   new_order <= (not hit) & std_logic_vector(judged_at(place_bits - 1 downto 0));
   order_leaves <= serves or not order_valid;
   order_place <= unsigned(order(place_bits - 1 downto 0));
-  line_free <= not found;
+  line_free <= line_taken or not found;
   comes_forward <= line_read and line_free;
   serves <= order_valid and not order(place_bits) and (line_free or not line_read);
   writes <= word_valid and order_valid and order(place_bits);

@@ -19,7 +19,7 @@ entity engine_triangles is
     leaves_only : in std_logic;  -- of it
     -- Triangles of a pair of leaves.
     triangles_valid : in std_logic;
-    triangles_there : out std_logic;  -- and not sent yet
+    triangles_there : out std_logic;  -- and not sent yet, nor offered
     triangles_taken : out std_logic;
     triangles_lane : in std_logic_vector(lane_bits - 1 downto 0);
     triangle_a : in std_logic_vector(triangle_bits - 1 downto 0);
@@ -49,6 +49,7 @@ architecture rtl of engine_triangles is
   signal there : std_logic;  -- triangles, and not sent yet
   signal triangles_go : std_logic;  -- to the unit, or past it, or they are dropped
   signal taken : std_logic := '0';  -- the same, a clock ago
+  signal offered : std_logic := '0';  -- to the unit, which takes them whatever their query does
   signal tests_them : std_logic;  -- they are for the unit
   signal passes_them : std_logic;  -- they are for the way past it
   signal numbers : std_logic_vector(55 downto 0);
@@ -75,7 +76,7 @@ architecture rtl of engine_triangles is
   signal pose_words : std_logic_vector(job_pose);
 begin
   pose_words <= pose;
-  triangles_there <= there;
+  triangles_there <= there and not offered;
 
   -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the 16 bits of their tag the
   -- unit's tag says which is the last of its packet.
@@ -93,8 +94,9 @@ begin
   bypass_free <= not bypassed_valid;
   tests_them <= there and testable and not leaves_only and not drops;
   passes_them <= there and testable and leaves_only and not drops;
-  unit_valid <= tests_them or packet_valid;
-  triangles_go <= there and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
+  -- From a register, as hundreds of registers load a pair that is offered.
+  unit_valid <= offered or packet_valid;
+  triangles_go <= unit_ready when offered = '1' else there and (drops or (passes_them and bypass_free));
   -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs a pair nothing, because
   -- the unit does not take the next one at once.
   there <= triangles_valid and not taken;
@@ -104,6 +106,10 @@ begin
   begin
     if rising_edge(clk) then
       taken <= triangles_go and not reset;
+      offered <= tests_them and not reset;
+      if offered = '1' then
+        offered <= not (unit_ready or reset);
+      end if;
     end if;
   end process send;
 

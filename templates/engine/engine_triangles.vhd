@@ -19,7 +19,7 @@ entity {{ prefix }}engine_triangles is
     leaves_only : in std_logic;  -- of it
     -- Triangles of a pair of leaves.
     triangles_valid : in std_logic;
-    triangles_there : out std_logic;{% if e.unit.paced %}  -- and not sent yet{% endif %}
+    triangles_there : out std_logic;{% if e.unit.paced %}  -- and not sent yet{% if e.unit.offers %}, nor offered{% endif %}{% endif %}
     triangles_taken : out std_logic;
     triangles_lane : in std_logic_vector(lane_bits - 1 downto 0);
     triangle_a : in std_logic_vector(triangle_bits - 1 downto 0);
@@ -59,6 +59,9 @@ architecture rtl of {{ prefix }}engine_triangles is
   signal triangles_go : std_logic;  -- to the unit, or past it, or they are dropped
 {%- if e.unit.paced %}
   signal taken : std_logic := '0';  -- the same, a clock ago
+{%- if e.unit.offers %}
+  signal offered : std_logic := '0';  -- to the unit, which takes them whatever their query does
+{%- endif %}
 {%- endif %}
   signal tests_them : std_logic;  -- they are for the unit
   signal passes_them : std_logic;  -- they are for the way past it
@@ -101,7 +104,7 @@ architecture rtl of {{ prefix }}engine_triangles is
 {%- endif %}
 begin
   pose_words <= pose;
-  triangles_there <= there;
+  triangles_there <= there{% if e.unit.offers %} and not offered{% endif %};
 {%- if e.unit.signs.len() > 0 %}
 
   -- With the bypass the numbers of a pose are not read.
@@ -138,8 +141,14 @@ begin
   bypass_free <= not bypassed_valid;
   tests_them <= there and testable and not leaves_only and not drops;
   passes_them <= there and testable and leaves_only and not drops;
+{%- if e.unit.offers %}
+  -- From a register, as hundreds of registers load a pair that is offered.
+  unit_valid <= offered or packet_valid;
+  triangles_go <= unit_ready when offered = '1' else there and (drops or (passes_them and bypass_free));
+{%- else %}
   unit_valid <= tests_them or packet_valid;
   triangles_go <= there and (drops or (passes_them and bypass_free) or (tests_them and unit_ready));
+{%- endif %}
 {%- if e.unit.paced %}
   -- Whether the triangles go is known late in a clock: the memory hears of it a clock later, which costs a pair nothing, because
   -- the unit does not take the next one at once.
@@ -150,6 +159,12 @@ begin
   begin
     if rising_edge(clk) then
       taken <= triangles_go and not reset;
+{%- if e.unit.offers %}
+      offered <= tests_them and not reset;
+      if offered = '1' then
+        offered <= not (unit_ready or reset);
+      end if;
+{%- endif %}
     end if;
   end process send;
 {%- else %}

@@ -224,7 +224,7 @@ impl Sheet<'_> {
     fn triangles(&self) -> Entity {
         let unit = &self.values.unit;
         let corners = 18 * (self.design.unit.params.transform_width + u32::from(unit.sticky));
-        let flags = 2 + u32::from(unit.paced) + u32::from(!unit.signs.is_empty());
+        let flags = [unit.paced, unit.offers, !unit.signs.is_empty()].map(u32::from).iter().sum::<u32>() + 2;
         let luts = corners + self.of([208, 162, 184]);
         self.entity("engine_triangles", flags + 2 * unit.triangle_number_bits, &[], &[], luts)
     }

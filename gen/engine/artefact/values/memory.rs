@@ -143,8 +143,8 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         let bits = LONGEST.min(tag_bits - low);
         TagPart { tag: Bits::new(low, bits), address: Bits::new(line_address_bits + low, bits) }
     };
-    // Of triangles the memory hears a clock late that they are taken.
-    let paced = if triangles { design.unit.interval > 2 } else { params.expansion_clocks > 1 };
+    // Whether triangles are taken comes from a register, or every clock; whether blocks are is known late.
+    let paced = !triangles && params.expansion_clocks > 1;
     Lines {
         entity,
         what,

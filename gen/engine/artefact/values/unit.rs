@@ -22,6 +22,8 @@ pub(crate) struct Unit {
     pub unit_inputs: Vec<Connection>,
     /// The unit takes no pair in the clock behind another one.
     pub paced: bool,
+    /// It takes so few pairs that one may be offered to it a clock later.
+    pub offers: bool,
     pub guarded: bool,
     pub sticky: bool,
     /// Flags of each kind that the unit gives.
@@ -56,6 +58,7 @@ impl Unit {
             },
             unit_inputs: unit_inputs(unit, stream),
             paced: design.unit.interval > 1,
+            offers: design.unit.interval > 2,
             guarded: unit.guarded(),
             sticky: unit.upper == Upper::Sticky,
             flags: Bits::all(stream.flags),
