@@ -87,7 +87,8 @@ architecture rtl of engine_issue is
   signal flying : unsigned(flight_bits + 1 downto 0) := (others => '0');  -- of all lanes
   signal all_fly : std_logic := '0';  -- flying >= in_flight
   signal nearly_all_fly : std_logic := '0';  -- but for one
-  signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit
+  signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit; that they are taken is counted a clock later
+  signal took_blocks : std_logic := '0';
   signal crowded : std_logic := '0';  -- so many that a younger query waits
   -- So many records of all lanes more than a clock before, a pair in flight as one; counted a clock later.
   signal records : signed(2 downto 0) := "000";
@@ -211,6 +212,7 @@ begin
         nearly_all_fly <= '0';
         without_blocks <= (others => '0');
         crowded <= '0';
+        took_blocks <= '0';
         issued <= '0';
         chosen <= nobody;
       else
@@ -248,12 +250,13 @@ begin
             nearly_all_fly <= '1';
           end if;
         end if;
-        if pop = '1' and blocks_taken = '0' then
+        took_blocks <= blocks_taken;
+        if pop = '1' and took_blocks = '0' then
           without_blocks <= without_blocks + 1;
           if without_blocks >= crowd - 1 then
             crowded <= '1';
           end if;
-        elsif pop = '0' and blocks_taken = '1' then
+        elsif pop = '0' and took_blocks = '1' then
           without_blocks <= without_blocks - 1;
           if without_blocks <= crowd then
             crowded <= '0';

@@ -59,7 +59,9 @@ architecture rtl of engine_triangle_cache is
 
   -- Look-up in two stages: a tag is read, then compared. A tag has a bit that says that the line is there. Tags are not read in
   -- a clock in which one is written, as what a memory gives then costs a table behind it. What the memory says of a place is too
-  -- old if the request in front is for that place: then that one counts, because its line is there after it.
+  -- old while a request for that place is in one of the two stages: then the youngest such request counts, because its line is
+  -- there after it. That a request misses is known late in a clock: its tag is written in the next one, and while a line is being
+  -- asked for no request passes, which costs nothing, as lines are given in order.
   type tags is array (0 to line_count - 1) of std_logic_vector(tag_bits downto 0);
   signal tag_memory : tags := (others => (others => '0'));
   signal tag_found : std_logic_vector(tag_bits downto 0) := (others => '0');
@@ -68,7 +70,7 @@ architecture rtl of engine_triangle_cache is
   signal tag_written : std_logic_vector(tag_bits downto 0);
   signal looked : std_logic := '0';
   signal looked_at : unsigned(25 downto 0) := (others => '0');
-  signal follows : std_logic := '0';  -- the request in front was for the place
+  signal follows : std_logic := '0';  -- another request for the place was under way
   signal follows_same : std_logic := '0';  -- and it was for the same line
   signal looked_leaves : std_logic;
   signal judged : std_logic := '0';
@@ -78,8 +80,10 @@ architecture rtl of engine_triangle_cache is
   signal same : std_logic_vector(tag_parts downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
   signal same_as_before : std_logic := '0';  -- it follows a request for the same line
   signal hit : std_logic;
+  signal may_pass : std_logic;
   signal passes : std_logic;
   signal misses : std_logic;
+  signal missed_before : std_logic := '0';  -- a clock ago one did
   signal sweeping : std_logic := '1';
   signal sweeps : std_logic;  -- and goes on
   signal sweep_place : unsigned(place_bits - 1 downto 0) := (others => '0');
@@ -134,7 +138,7 @@ begin
   -- ===== Requests =====
   request_ready <= ready;
   arrives <= ready and request_valid;
-  head_leaves <= head_valid and not sweeping and ((order_free and hit) or not judged);
+  head_leaves <= head_valid and not (sweeping or missed_before) and (may_pass or not judged);
   next_stays <= '0' when head_leaves = '1' or head_valid = '0' else next_valid or arrives;
   sweeps <= '1' when flush = '1' or (sweeping = '1' and sweep_place /= line_count - 1) else '0';
   wanted <= unsigned(base) + unsigned(request(25 downto 0));
@@ -168,16 +172,17 @@ begin
   end process hold;
 
   -- ===== Look-up =====
-  looked_leaves <= looked and (passes or not judged);
+  looked_leaves <= looked and (may_pass or not judged);
   hit <= '1' when same = all_same or same_as_before = '1' else '0';
   all_reserved <= reserved(reserved'high);
-  passes <= judged and order_free and (hit or not (asking or all_reserved));
+  may_pass <= order_free and not (asking or all_reserved);
+  passes <= judged and may_pass;
   misses <= passes and not hit;
-  tag_write <= sweeping or misses;
-  tag_place <= sweep_place when sweeping = '1' else judged_at(place_bits - 1 downto 0);
-  tag_written <= (others => '0') when sweeping = '1' else '1' & std_logic_vector(judged_at(25 downto place_bits));
+  tag_write <= sweeping or missed_before;
+  tag_place <= sweep_place when sweeping = '1' else asked_address(place_bits - 1 downto 0);
+  tag_written <= (others => '0') when sweeping = '1' else '1' & std_logic_vector(asked_address(25 downto place_bits));
   flushing <= sweeping;
-  missed <= misses;
+  missed <= missed_before;
   ask_valid <= asking;
   ask_address <= std_logic_vector(asked_address);
 
@@ -192,8 +197,15 @@ begin
         looked_at <= address;
         follows <= '0';
         follows_same <= '0';
+        if judged = '1' and judged_at(place_bits - 1 downto 0) = address(place_bits - 1 downto 0) then
+          follows <= '1';
+          if judged_at = address then
+            follows_same <= '1';
+          end if;
+        end if;
         if looked = '1' and looked_at(place_bits - 1 downto 0) = address(place_bits - 1 downto 0) then
           follows <= '1';
+          follows_same <= '0';
           if looked_at = address then
             follows_same <= '1';
           end if;
@@ -232,12 +244,13 @@ begin
         same(tag_parts) <= tag_found(tag_bits) and not follows;
         same_as_before <= follows and follows_same;
       end if;
-      if misses = '1' then
+      if asking = '0' then
         asked_address <= judged_at;
       end if;
       if reset = '1' then
         looked <= '0';
         judged <= '0';
+        missed_before <= '0';
         asking <= '0';
         sweeping <= '1';
         sweep_place <= (others => '0');
@@ -249,6 +262,7 @@ begin
         if passes = '1' or judged = '0' then
           judged <= looked;
         end if;
+        missed_before <= misses;
         if misses = '1' then
           asking <= '1';
         elsif ask_ready = '1' then

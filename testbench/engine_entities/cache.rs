@@ -89,8 +89,10 @@ fn caches_give_and_replace_lines() {
     let changes = [
         ("serves <= order_valid and not order(place_bits)", "serves <= order_valid"),
         ("order(place_bits) <= '0';", "null;"),
+        ("if judged = '1' and judged_at(", "if judged = '0' and judged_at("),
         // A tag is read in the clock in which it is written.
-        ("((order_free and hit) or not judged)", "(order_free or not judged)"),
+        ("not (sweeping or missed_before) and", "not sweeping and"),
+        ("may_pass <= order_free and not (asking or", "may_pass <= order_free and not ("),
         ("if looked = '1' and looked_at(", "if looked = '0' and looked_at("),
         ("same = all_same or same_as_before = '1' else", "same = all_same else"),
         ("same(tag_parts) <= tag_found(tag_bits) and not follows;", "same(tag_parts) <= tag_found(tag_bits);"),
