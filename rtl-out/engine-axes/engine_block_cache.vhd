@@ -60,8 +60,8 @@ architecture rtl of engine_block_cache is
   -- Look-up in two stages: a tag is read, then compared. A tag has a bit that says that the line is there. Tags are not read in
   -- a clock in which one is written, as what a memory gives then costs a table behind it. What the memory says of a place is too
   -- old while a request for that place is in one of the two stages: then the youngest such request counts, because its line is
-  -- there after it. That a request misses is known late in a clock: its tag is written in the next one, and while a line is being
-  -- asked for no request passes, which costs nothing, as lines are given in order.
+  -- there after it. That a request misses is known late in a clock: its tag is written in the next one, and no request passes
+  -- while a line is being asked for or all are reserved. Lines are given in order, so a hit would wait for that line anyhow.
   type tags is array (0 to line_count - 1) of std_logic_vector(tag_bits downto 0);
   signal tag_memory : tags := (others => (others => '0'));
   signal tag_found : std_logic_vector(tag_bits downto 0) := (others => '0');
@@ -105,7 +105,7 @@ architecture rtl of engine_block_cache is
   signal order : std_logic_vector(place_bits downto 0) := (others => '0');
   signal order_leaves : std_logic;
   signal order_place : unsigned(place_bits - 1 downto 0);
-  signal serves : std_logic;
+  signal reads_line : std_logic;
   signal line_read : std_logic := '0';  -- its words are behind the banks
   signal line_free : std_logic;
   signal comes_forward : std_logic;
@@ -285,11 +285,11 @@ begin
   -- ===== Lines in order =====
   order_free <= not orders_waiting(orders_waiting'high);
   new_order <= (not hit) & std_logic_vector(judged_at(place_bits - 1 downto 0));
-  order_leaves <= serves or not order_valid;
+  order_leaves <= reads_line or not order_valid;
   order_place <= unsigned(order(place_bits - 1 downto 0));
   line_free <= not found;
   comes_forward <= line_read and line_free;
-  serves <= order_valid and not order(place_bits) and (line_free or not line_read);
+  reads_line <= order_valid and not order(place_bits) and (line_free or not line_read);
   writes <= word_valid and order_valid and order(place_bits);
   last_word <= writes when word_place = words_per_line - 1 else '0';
   line_valid <= found;
@@ -354,7 +354,7 @@ begin
         if order_leaves = '1' then
           order_valid <= some_wait or passes;
         end if;
-        if serves = '1' then
+        if reads_line = '1' then
           line_read <= '1';
         elsif line_free = '1' then
           line_read <= '0';
@@ -387,7 +387,7 @@ begin
         if written = '1' then
           bank(to_integer(order_place)) <= word;
         end if;
-        if serves = '1' then
+        if reads_line = '1' then
           line_word(i) <= bank(to_integer(order_place));
         end if;
       end if;

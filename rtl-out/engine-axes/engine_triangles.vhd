@@ -83,12 +83,13 @@ begin
   -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign.
   unit_v <= triangle_a(triangle_corners) when of_queries = '1' else job_words(job_pair_v);
   unit_w <= triangle_b(triangle_corners) when of_queries = '1' else job_words(job_pair_w);
+  -- Of a packet nothing reads the bits of the tag above these.
   packet_tag <= packet_last & job_words(job_pair_tag);
   unit_tag(lane_bits + 55 downto packet_tag'length) <= triangles_lane & numbers(55 downto packet_tag'length);
   unit_tag(packet_tag'range) <= numbers(packet_tag'range) when of_queries = '1' else packet_tag;
   packet_taken <= packet_valid and unit_ready;
 
-  -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
+  -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers may come late out of block RAM.
   -- The numbers of triangles are in the low bits of the first word, 28 of them.
   numbers <= triangle_b(triangle_number) & triangle_a(triangle_number);
   bypass_free <= not bypassed_valid;

@@ -176,7 +176,7 @@ architecture rtl of efsat_engine is
   signal leaf_a : std_logic_vector(27 downto 0);
   signal leaf_b : std_logic_vector(27 downto 0);
   signal triangles_valid : std_logic;
-  signal triangles_there : std_logic;  -- and not sent yet
+  signal triangles_there : std_logic;  -- and not sent yet, nor offered
   signal triangles_taken : std_logic;
   signal triangles_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal testable : std_logic;

@@ -64,7 +64,7 @@ architecture rtl of engine_flight is
   signal entry_memory : entries := (others => (others => '0'));
   type children is array (0 to flight_places - 1) of std_logic_vector(119 downto 0);
   signal children_memory : children := (others => (others => '0'));
-  -- What their pairs are is found late in a clock, and written in the next.
+  -- What their pairs are is found late in a clock, and written in the next: it can be read three clocks after the blocks were taken.
   type kinds_of_pairs is array (0 to flight_places - 1) of std_logic_vector(11 downto 0);
   signal kinds_memory : kinds_of_pairs := (others => (others => '0'));
   signal kinds_found : std_logic := '0';
@@ -106,6 +106,7 @@ architecture rtl of engine_flight is
 
   -- The oldest of the pairs whose children are listed.
   signal answered_children : std_logic_vector(119 downto 0);
+  signal answered_kinds : std_logic_vector(11 downto 0);
   signal answered_faults : std_logic_vector(3 downto 0);
   signal answered_leaves : std_logic_vector(3 downto 0);
   signal answered_nodes : std_logic_vector(3 downto 0);
@@ -228,9 +229,10 @@ begin
   end generate kinds;
 
   answered_children <= children_memory(to_integer(answered_place));
-  answered_faults <= kinds_memory(to_integer(answered_place))(11 downto 8);
-  answered_leaves <= kinds_memory(to_integer(answered_place))(7 downto 4);
-  answered_nodes <= kinds_memory(to_integer(answered_place))(3 downto 0);
+  answered_kinds <= kinds_memory(to_integer(answered_place));
+  answered_faults <= answered_kinds(11 downto 8);
+  answered_leaves <= answered_kinds(7 downto 4);
+  answered_nodes <= answered_kinds(3 downto 0);
   answered_lane <= lane_memory(to_integer(answered_place));
 
   meet : process (clk)

@@ -131,7 +131,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal leaf_a : std_logic_vector(27 downto 0);
   signal leaf_b : std_logic_vector(27 downto 0);
   signal triangles_valid : std_logic;
-  signal triangles_there : std_logic;{% if e.unit.paced %}  -- and not sent yet{% endif %}
+  signal triangles_there : std_logic;{% if e.unit.paced %}  -- and not sent yet{% if e.unit.offers %}, nor offered{% endif %}{% endif %}
   signal triangles_taken : std_logic;
   signal triangles_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal testable : std_logic;

@@ -5,8 +5,8 @@
 -- Pairs of leaves between the traversal and their answers. Each lane has a queue of {{ e.traversal.pairs }} pairs of numbers. Triangles are asked
 -- for in the order of the queries: those of the front lane, until its query has no more to ask for; then the next lane is
 -- the front. So pairs of a younger query may be in the triangle unit while the last ones of an older query are, behind them.
--- In front of its first pair, a query's pose goes to the unit. When a query ends early, its pairs that have not reached the
--- triangle unit are dropped.
+-- In front of its first pair, a query's pose goes to the unit. When a query ends early, its pairs that are not offered to
+-- the triangle unit are dropped.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;

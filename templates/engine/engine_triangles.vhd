@@ -130,12 +130,13 @@ begin
   sticky_v <= triangle_a(triangle_sticky) when of_queries = '1' else job_words(job_pair_sticky_v);
   sticky_w <= triangle_b(triangle_sticky) when of_queries = '1' else job_words(job_pair_sticky_w);
 {%- endif %}
+  -- Of a packet nothing reads the bits of the tag above these.
   packet_tag <= {% if e.unit.signs.len() > 0 %}(packet_unfit or pose_unfit) & {% endif %}packet_last & job_words(job_pair_tag);
   unit_tag(lane_bits + 55 downto packet_tag'length) <= triangles_lane & numbers(55 downto packet_tag'length);
   unit_tag(packet_tag'range) <= numbers(packet_tag'range) when of_queries = '1' else packet_tag;
   packet_taken <= packet_valid and unit_ready;
 
-  -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
+  -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers may come late out of block RAM.
   -- The numbers of triangles are in the low bits of the first word, {{ e.unit.triangle_number_bits }} of them.
   numbers <= {{ e.unit.number_above }}triangle_b(triangle_number) & {{ e.unit.number_above }}triangle_a(triangle_number);
   bypass_free <= not bypassed_valid;

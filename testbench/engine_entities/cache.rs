@@ -87,7 +87,7 @@ fn cache(entity: &mut Entity, words: u64) -> Outcome {
 fn caches_give_and_replace_lines() {
     let design = small(Memory::Axi);
     let changes = [
-        ("serves <= order_valid and not order(place_bits)", "serves <= order_valid"),
+        ("reads_line <= order_valid and not order(place_bits)", "reads_line <= order_valid"),
         ("order(place_bits) <= '0';", "null;"),
         ("if judged = '1' and judged_at(", "if judged = '0' and judged_at("),
         // A tag is read in the clock in which it is written.
@@ -97,7 +97,7 @@ fn caches_give_and_replace_lines() {
         ("same = all_same or same_as_before = '1' else", "same = all_same else"),
         ("same(tag_parts) <= tag_found(tag_bits) and not follows;", "same(tag_parts) <= tag_found(tag_bits);"),
         ("sweeps <= '1' when flush = '1' or (", "sweeps <= '1' when ("),
-        ("order_leaves <= serves or not order_valid;", "order_leaves <= serves;"),
+        ("order_leaves <= reads_line or not order_valid;", "order_leaves <= reads_line;"),
     ];
     tried(&design, "engine_block_cache", &changes, |entity| cache(entity, 8));
     tried(&design, "engine_triangle_cache", &[], |entity| cache(entity, 5));

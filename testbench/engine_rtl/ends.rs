@@ -120,6 +120,10 @@ fn a_stop_ends_the_query_that_runs() {
         vectors.stop(5, 8);
         vectors.query(&Query { number: 9, ..query });
         bench.passes(vectors.text(), &["-gpasses=1"]);
+        // A pair that is offered to the unit when its query ends is not dropped as well.
+        let change = ("engine_triangles.vhd", "triangles_there <= there and not offered;", "triangles_there <= there;");
+        let fast = in_full([change]).into_iter().filter(|_| engine.memory == Memory::BlockRam);
+        bench.notices(fast, &[vectors.text()], &["-gpasses=1"]);
     }
 }
 

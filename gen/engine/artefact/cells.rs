@@ -324,7 +324,8 @@ impl Sheet<'_> {
         let (lanes, lane) = (params.queries, params.lane_bits());
         // Which children an entry has and the fault of a child are not read.
         let met = self.read_bits(t.entry_bits - 4, t.entry_bits);
-        let flip_flops = 5 * t.flight_bits + 4 * lane + 38 + met + self.read_bits(4 * 29, 4 * 30) + lanes;
+        let flip_flops =
+            5 * t.flight_bits + (4 + u32::from(t.paced)) * lane + 38 + met + self.read_bits(4 * 29, 4 * 30) + lanes;
         let memories =
             [t.entry_bits, met, lane, lane, self.read_bits(116, 120), 12].map(|bits| (Apart, t.flight_places, bits));
         let own = self.entity("engine_flight", flip_flops, &memories, &[(4, t.flight_bits)], 60);

@@ -66,6 +66,7 @@ impl VolumeDesign {
         let stage = stage(&module, schedule.latency as usize, interval);
         // A clock for the registers in front, and one for those of the answer.
         let latency = schedule.latency as usize + 2;
+        assert!(latency > 2, "an answer before what its pairs of children are is listed");
         Ok(Self { format, device, path, schedule, stage, latency, interval })
     }
 
