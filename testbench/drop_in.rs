@@ -306,7 +306,7 @@ fn a_testbench_says_one_line_and_fails_after_a_mismatch() {
         if !broken {
             return;
         }
-        for bench in ["efsat_tb", "efsat_stream_tb"] {
+        for bench in share(2, ["efsat_tb", "efsat_stream_tb"]) {
             let vectors = ghdl.read(&format!("rtl/{bench}.vec"));
             ghdl.write("wrong.vec", &with_a_wrong_answer(&vectors));
             let (fine, said) = simulate(bench, "wrong.vec");

@@ -186,6 +186,7 @@ fn answers_and_reports_equal_the_reference_models() {
 
 /// A mesh is written over at its old address: the same query with the options of every host is about what is there now.
 #[test]
+#[ignore = "compiles an engine; triangles of one by number are written over on every change: scripts/test full"]
 fn a_mesh_that_was_written_over_is_read_again() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &axi(), &small());

@@ -157,7 +157,7 @@ fn entity(name: &str) -> &str {
 fn every_generated_file_is_taken_without_a_warning() {
     let tools = &tools();
     // On every change every second design, by one standard, in turn.
-    let jobs: Vec<(&str, Params, &Tool, &str)> = share(2, settings())
+    let jobs: Vec<(&str, Params, &Tool, &str)> = share(3, settings())
         .into_iter()
         .enumerate()
         .flat_map(|(i, (name, params))| {

@@ -147,6 +147,7 @@ fn a_fault_of_memory_ends_the_query_and_the_next_is_right() {
 
 /// Blocks damaged bit by bit: the report comes with the model's reason, nothing outside is read, the next query is right.
 #[test]
+#[ignore = "compiles an engine; an entity test has wrong blocks and links on every change: scripts/test full"]
 fn damaged_trees_do_no_harm() {
     let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &axi(), &small());
