@@ -72,6 +72,8 @@ const ROOM: &str =
 const NOT_YET: &str = "in the clock after reset nothing is accepted and no pair is held, and then it is set anew";
 const RUNNING: &str = "last_phase is first set many clocks after reset, when running is long set";
 const AFTER_RESET: &str = "shows in the first clock after a reset alone; `protocol::` asks there";
+const STANDS: &str = "the pointer stands still in the clocks before a pair is accepted";
+const FROM_RESET: &str = "vectors begin with a pose; `protocol::` asks for the bypass after a reset";
 const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
 const PRODUCT: &str = "the factors of a product exchanged";
 const ANY: &str = "any of some flags, in any order";
@@ -98,6 +100,8 @@ const VHDL: &[Explanation] = &[
     same_in_several("sequencer:accepted_ahead:delay:a register too many", LAST_PHASE),
     same_in_several("sequencer:last_phase:constant:'0' -> '1'", NOT_YET),
     same_in_several("sequencer:load_phase:constant:'1' -> '0'", NOT_YET),
+    same_in_several("efsat:tag_address:delay:a register too many", STANDS),
+    hidden("efsat:active_bypass:constant:'1' -> '0'", FROM_RESET),
     same("sequencer:running:constant:'0' -> '1'", RUNNING),
     same("sequencer:running:delay:a register too many", RUNNING),
     hidden("sequencer:takes_pose:constant:'0' -> '1'", AFTER_RESET),
