@@ -156,7 +156,7 @@ fn entity(name: &str) -> &str {
 #[test]
 fn every_generated_file_is_taken_without_a_warning() {
     let tools = &tools();
-    // On every change every second design, by one standard, in turn.
+    // On every change every third design, by one standard, in turn.
     let jobs: Vec<(&str, Params, &Tool, &str)> = share(3, settings())
         .into_iter()
         .enumerate()

@@ -81,6 +81,7 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal same_as_before : std_logic := '0';  -- it follows a request for the same line
   signal hit : std_logic;
   signal may_pass : std_logic;
+  signal judged_free : std_logic;  -- the second stage holds none, or lets it pass
   signal passes : std_logic;
   signal misses : std_logic;
   signal missed_before : std_logic := '0';  -- a clock ago one did
@@ -138,7 +139,7 @@ begin
   -- ===== Requests =====
   request_ready <= ready;
   arrives <= ready and request_valid;
-  head_leaves <= head_valid and not (sweeping or missed_before) and (may_pass or not judged);
+  head_leaves <= head_valid and not (sweeping or missed_before) and judged_free;
   next_stays <= '0' when head_leaves = '1' or head_valid = '0' else next_valid or arrives;
   sweeps <= '1' when flush = '1' or (sweeping = '1' and sweep_place /= line_count - 1) else '0';
   wanted <= unsigned(base) + unsigned(request({{ m.used_number }}));
@@ -172,11 +173,12 @@ begin
   end process hold;
 
   -- ===== Look-up =====
-  looked_leaves <= looked and (may_pass or not judged);
+  looked_leaves <= looked and judged_free;
   hit <= '1' when same = all_same or same_as_before = '1' else '0';
   all_reserved <= reserved(reserved'high);
   may_pass <= order_free and not (asking or all_reserved);
   passes <= judged and may_pass;
+  judged_free <= may_pass or not judged;
   misses <= passes and not hit;
   tag_write <= sweeping or missed_before;
   tag_place <= sweep_place when sweeping = '1' else asked_address(place_bits - 1 downto 0);
@@ -237,7 +239,7 @@ begin
         if looked_leaves = '1' or looked = '0' then
           looked <= head_leaves;
         end if;
-        if passes = '1' or judged = '0' then
+        if judged_free = '1' then
           judged <= looked;
         end if;
         missed_before <= misses;

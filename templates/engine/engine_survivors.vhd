@@ -81,7 +81,7 @@ architecture rtl of {{ prefix }}engine_survivors is
   signal leaf_pick : std_logic_vector(3 downto 0);
   signal some_leaves : std_logic := '0';  -- of leaves_left, a register, as much waits for it
   signal leaves_ended : std_logic := '0';  -- the query ends
-  signal last_leaves : std_logic := '0';
+  signal last_leaves : std_logic := '0';  -- at most one of them, the same
   signal last_sent : std_logic;  -- the last pair of a record, or the query ends
 
   -- Survivors that are pushed one by one, from right and right to left and left.
@@ -114,6 +114,14 @@ architecture rtl of {{ prefix }}engine_survivors is
   signal met_survivors : std_logic_vector(3 downto 0);
   signal met_node_record : node_record;
   signal met_leaf_record : leaf_record;
+
+  function at_most_one(flags : std_logic_vector(3 downto 0)) return std_logic is
+  begin
+    if flags = "0000" or flags = "0001" or flags = "0010" or flags = "0100" or flags = "1000" then
+      return '1';
+    end if;
+    return '0';
+  end function at_most_one;
 begin
   met_survivors <= met_nodes or met_leaves;
   met_node_record <= met_nodes & met_family & met_entry;
@@ -260,10 +268,8 @@ begin
         opened <= nodes_come;
       end if;
       -- Known a clock before, because much waits for it.
-      next_last := '0';
-      if next_left = "0000" or next_left = "0001" or next_left = "0010" or next_left = "0100" or next_left = "1000" then
-        next_last := '1';
-      elsif next_left = "1010" then
+      next_last := at_most_one(next_left);
+      if next_left = "1010" then
         next_last := next_joins_a(1);
       elsif next_left = "0101" then
         next_last := next_joins_a(0);
@@ -333,12 +339,10 @@ begin
       end if;
       leaves_left <= next_left;
       some_leaves <= '1';
-      last_leaves <= '0';
       if next_left = "0000" then
         some_leaves <= '0';
-      elsif next_left = "0001" or next_left = "0010" or next_left = "0100" or next_left = "1000" then
-        last_leaves <= '1';
       end if;
+      last_leaves <= at_most_one(next_left);
     end if;
   end process part;
 end architecture rtl;

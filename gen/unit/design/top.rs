@@ -305,12 +305,18 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
 
     // The pair of the running slot; without one the last pair stays, so that what idle inputs carry goes no further.
     let load = of("load_pair");
-    let held = pair.into_iter().map(|(place, port)| {
-        let register = m.register(prefixed(&place, "in_", "pair_"), port.ty());
+    let held = |place: &Place, port: Wire| {
+        let register = m.register(prefixed(place, "in_", "pair_"), port.ty());
         register.loads(port, Some(load), None);
-        (place, register)
-    });
-    let mut inputs: HashMap<Place, Wire> = held.collect();
+        register
+    };
+    let mut inputs: HashMap<Place, Wire> = pair
+        .into_iter()
+        .map(|(place, port)| {
+            let register = held(&place, port);
+            (place, register)
+        })
+        .collect();
     if let Some(bypass) = bypass {
         // A pose waits in registers of its own until the running slot is over. Where that is one clock, they are not enabled.
         let waits = (interval > 1).then(|| of("pose_ready"));
@@ -371,8 +377,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     output_fields(p, offered);
     if let Some(tag) = tag {
         // A tag may come late in its clock, and its queue is far from most: it is written a clock later.
-        let given = m.register("pair_tag", tag.ty());
-        given.loads(tag, Some(load), None);
+        let given = held(&Place::new("in_tag"), tag);
         let accepted = m.register("tag_accepted", Type::FLAG);
         accepted.loads(of("accept"), None, Some((reset, 0)));
         let address = m.register("tag_address", of("accept_address").ty());

@@ -26,10 +26,11 @@ pub(crate) struct Blocks {
 
 impl Blocks {
     pub fn new(format: &EngineFormat) -> Self {
+        let codes: Vec<_> = (0..2 * format.k()).map(|i| code(format, i)).collect();
         Self {
-            codes: (0..2 * format.k()).map(|i| code(format, i)).collect(),
-            code_parts: format.offset_bits.div_ceil(LONGEST) as usize,
-            code_count: 2 * format.k() as usize,
+            code_parts: codes[0].len(),
+            code_count: codes.len(),
+            codes,
             offset_bits: format.offset_bits,
             block_tag_parts: tag_parts(&format.block()),
             origin_bits: format.origin_bits,

@@ -143,7 +143,7 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         let bits = LONGEST.min(tag_bits - low);
         TagPart { tag: Bits::new(low, bits), address: Bits::new(line_address_bits + low, bits) }
     };
-    // Whether triangles are taken comes from a register, or every clock; whether blocks are is known late.
+    // That blocks are taken is known late in a clock; of triangles a register says it, or some are taken in every clock.
     let paced = !triangles && params.expansion_clocks > 1;
     Lines {
         entity,
