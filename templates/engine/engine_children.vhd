@@ -3,7 +3,7 @@
 {% endfor -%}
 --
 -- What the traversal needs to know of a block: which children there are, where their links go, and whether block and links
--- are good. One clock after the block was taken: the children. Two clocks after: bad, one clock long.
+-- are good. One clock after the block was taken: the children. Three clocks after: bad, one clock long.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -30,8 +30,8 @@ end entity {{ prefix }}engine_children;
 
 architecture rtl of {{ prefix }}engine_children is
   constant none : std_logic_vector(31 downto 0) := (others => '1');
-  -- The bits of a block may come out of block RAM, late in their clock: they are compared in short parts, and the parts are put
-  -- together a clock later. A code is unusable if it has its sign bit alone. The tag has k in bits 7..0, bits of a code in 11..8,
+  -- The bits of a block may come out of block RAM, late in their clock: they are compared in short parts, these are put together
+  -- a clock later, and all of them in the clock after that. A code is unusable if it has its sign bit alone. The tag has k in bits 7..0, bits of a code in 11..8,
   -- version in 15..12, then zeros.
   constant codes : natural := {{ e.blocks.code_count }};
   constant tag_parts : natural := {{ e.blocks.block_tag_parts.len() }};
@@ -45,6 +45,10 @@ architecture rtl of {{ prefix }}engine_children is
   signal other : std_logic_vector(tag_parts - 1 downto 0);  -- parts of the tag that differ
   signal other_before : std_logic_vector(tag_parts - 1 downto 0) := (others => '0');
   signal taken_before : std_logic := '0';
+  -- Another clock later.
+  signal unusable : std_logic_vector(codes - 1 downto 0) := (others => '0');
+  signal alien : std_logic := '0';  -- the tag is another one
+  signal judged : std_logic := '0';
   type links is array (0 to 1) of std_logic_vector(31 downto 0);
   signal link : links := (others => (others => '0'));
   signal number : std_logic_vector(node_bits - 1 downto 0) := (others => '0');
@@ -74,8 +78,14 @@ begin
       for p in 1 to part_before'high loop
         all_parts := all_parts and part_before(p);
       end loop;
-      if all_parts /= usable or other_before /= same then
-        bad <= taken_before and not reset;
+      unusable <= all_parts;
+      alien <= '0';
+      if other_before /= same then
+        alien <= '1';
+      end if;
+      judged <= taken_before and not reset;
+      if unusable /= usable or alien = '1' then
+        bad <= judged and not reset;
       end if;
     end if;
   end process hold;

@@ -124,6 +124,7 @@ architecture rtl of {{ prefix }}engine_command is
   signal moving : std_logic := '0';  -- a pose does
   signal fault : std_logic_vector(4 downto 0) := fine;
   signal waits : std_logic;  -- the packet does
+  signal goes : std_logic := '0';  -- the header is taken
   signal reset_taken : std_logic;  -- the word of a soft reset
   signal reset_now : std_logic := '0';  -- a clock later: control is busy from the next clock on
   signal clears : std_logic;
@@ -182,11 +183,11 @@ begin
 
   -- ===== Packets =====
   -- A packet begins when its job has a place to go, and pairs when everything before them is done. The header of a query goes
-  -- nowhere: its words wait for the register.
+  -- nowhere: its words wait for the register. A header is looked at in one clock and taken in the next; nothing that it waits for
+  -- begins in between.
   waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and ({% if e.block_ram %}head_kind(is_load) or {% endif %}head_kind(is_pairs)));
-  taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when at_header = '1' else
-    head_valid and not occupied and not pending;
-  reset_taken <= at_header and head_valid and head_kind(is_reset);
+  taken <= goes when at_header = '1' else head_valid and not occupied and not pending;
+  reset_taken <= goes and head_kind(is_reset);
   clears <= reset or soft_reset or reset_taken;
   shifts <= (head_valid and gathers and not pending) or moving;
   -- A word that is none, in front of the first one or between two, is not looked at.
@@ -220,6 +221,8 @@ begin
       stop <= '0';
       closing <= '0';
       reset_now <= reset_taken and not (reset or soft_reset);
+      goes <= at_header and head_valid and not goes
+        and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits)));
       stop_number <= head(option_number);
       forget_number <= (others => '0');
       if (reset_taken and not soft_reset) = '1' then
@@ -455,6 +458,7 @@ begin
         end if;
         pending <= '0';
         closing <= '0';
+        goes <= '0';
         query_pending <= '0';
         posed_pending <= '0';
         fault <= fine;

@@ -5,7 +5,8 @@
 -- The words of the queries in flight, in look-up tables: written once, when a job is taken, and read by the lane of whoever
 -- works on a query. The pose of a job that has no query is kept here, too. Each reader has a memory of its own, with as many
 -- rows as a look-up table has: of a memory with a row for each lane tools make flip-flops. Where a clock without a reader costs
--- nothing, memory is read and written at one place: the words for control and the volume unit mean nothing while store is set.
+-- nothing, memory is read and written at one place: the words for control mean nothing while store is set, those for the volume
+-- unit while {% if e.traversal.paced %}they are written, a clock later: store is never set in two clocks on end, and job_words stay for one more{% else %}they are written{% endif %}.
 --
 -- The matrix for the origins of blocks is s1.17, cut off and saturated to +-(2^17 - 1); the shift is s4.22, cut off.
 --------------------------------------------------------------------------------
@@ -36,7 +37,8 @@ entity {{ prefix }}engine_queries is
     block_count_b : out std_logic_vector(31 downto 0);
     triangle_count_a : out std_logic_vector(31 downto 0);
     triangle_count_b : out std_logic_vector(31 downto 0);
-    -- What the volume unit knows; not while a job is stored.
+    -- What the volume unit knows{% if e.traversal.paced %} of the lane of a clock ago{% endif %}; not while it is written.
+    written : out std_logic;
     volume_lane : in std_logic_vector(lane_bits - 1 downto 0);
     query_pose : out std_logic_vector(query_pose_bits - 1 downto 0);
     query_shift : out std_logic_vector(query_shift_bits - 1 downto 0);
@@ -62,7 +64,14 @@ architecture rtl of {{ prefix }}engine_queries is
   signal block_bases : bases := (others => (others => '0'));
   signal triangle_bases : bases := (others => (others => '0'));
   signal head_row : std_logic_vector(lane_bits - 1 downto 0);
+{%- if e.traversal.paced %}
+  -- In registers, as hundreds of cells hang on them: between two expansions there are more clocks.
+  signal writes : std_logic := '0';
+  signal volume_row : std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
+{%- else %}
+  signal writes : std_logic;
   signal volume_row : std_logic_vector(lane_bits - 1 downto 0);
+{%- endif %}
   signal requested : std_logic_vector(63 downto 0);
   signal asked : std_logic_vector(63 downto 0);
   type counts is array (0 to last) of std_logic_vector(127 downto 0);
@@ -125,14 +134,23 @@ begin
         head(to_integer(unsigned(head_row))) <= job_words(head_bits - 1 downto 0);
         block_bases(to_integer(unsigned(store_lane))) <= job_words(job_blocks_b) & job_words(job_blocks_a);
         triangle_bases(to_integer(unsigned(store_lane))) <= job_words(job_triangles_b) & job_words(job_triangles_a);
+        pose_memory(to_integer(unsigned(store_lane))) <= job_words(job_pose);
+      end if;
+      if writes = '1' then
         object_counts(to_integer(unsigned(volume_row))) <= job_words(job_triangle_count_b) & job_words(job_triangle_count_a)
           & job_words(job_block_count_b) & job_words(job_block_count_a);
-        pose_memory(to_integer(unsigned(store_lane))) <= job_words(job_pose);
         matrix(to_integer(unsigned(volume_row))) <= new_matrix;
         shift(to_integer(unsigned(volume_row))) <= new_shift;
         shift_error(to_integer(unsigned(volume_row))) <= job_words(job_errors);
         row(to_integer(unsigned(volume_row))) <= new_rows;
       end if;
+{%- if e.traversal.paced %}
+      writes <= store;
+      volume_row <= volume_lane;
+      if store = '1' then
+        volume_row <= store_lane;
+      end if;
+{%- endif %}
       checked <= head(to_integer(unsigned(head_row)));
       listed <= object_counts(to_integer(unsigned(volume_row)));
       for lane in 0 to lanes - 1 loop
@@ -159,7 +177,11 @@ begin
   block_count_b <= listed(63 downto 32);
   triangle_count_a <= listed(95 downto 64);
   triangle_count_b <= listed(127 downto 96);
+{%- if !e.traversal.paced %}
+  writes <= store;
   volume_row <= store_lane when store = '1' else volume_lane;
+{%- endif %}
+  written <= writes;
   query_pose <= matrix(to_integer(unsigned(volume_row)));
   query_shift <= shift(to_integer(unsigned(volume_row)));
   query_errors <= shift_error(to_integer(unsigned(volume_row)));

@@ -72,8 +72,8 @@ fn children(entity: &mut Entity) -> Outcome {
     let format = small(Memory::Axi).format;
     let mut blocks = Blocks { rng: random(2), layout: format.block(), format };
     entity.reset();
-    // Of the blocks one and two clocks ago, and whether they were taken.
-    let mut before: [Option<(bool, Due)>; 2] = [None; 2];
+    // Of the blocks one to three clocks ago, and whether they were taken.
+    let mut before: [Option<(bool, Due)>; 3] = [None; 3];
     for clock in 0..1500 {
         let (words, own, counts, due) = blocks.next();
         let taken = !seldom(&mut blocks.rng, 3);
@@ -92,14 +92,14 @@ fn children(entity: &mut Entity) -> Outcome {
                 }
             }
         }
-        if let Some((taken, due)) = before[1] {
+        if let Some((taken, due)) = before[2] {
             expect(entity.is("bad") == (taken && due.bad), clock, "bad")?;
         }
         entity.clock();
         // The counts are those of the query, and are compared in the clock after.
         entity.set("block_count", counts[0]);
         entity.set("triangle_count", counts[1]);
-        before = [Some((taken, due)), before[0]];
+        before = [Some((taken, due)), before[0], before[1]];
     }
     Ok(())
 }
@@ -114,7 +114,8 @@ fn blocks_and_links_are_checked() {
             "part(1)(35) <= '1' when data(509 downto 506) = \"0000\"",
             "part(1)(35) <= '1' when data(509 downto 506) = \"1111\"",
         ),
-        ("or other_before /= same", ""),
+        ("or alien = '1'", ""),
+        ("judged <= taken_before and not reset;", "judged <= '1';"),
         ("data(151 downto 150) /= \"00\"", "data(150 downto 150) /= \"0\""),
         ("target(30 downto node_bits) /= 0", "target(29 downto node_bits) /= 0"),
     ];

@@ -405,7 +405,7 @@ fn command(entity: &mut Entity) -> Outcome {
         let soft = seldom(
             &mut packets.rng,
             match hold {
-                26.. => 16,
+                26.. => 6,
                 _ if clock % 2000 < 1000 => 100,
                 _ => 1000,
             },
@@ -478,6 +478,7 @@ fn every_packet_becomes_what_it_is() {
         ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_load)"),
         ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_pairs)"),
         ("(head_kind(is_stop) or not waits)", "not waits"),
+        ("head_valid and not goes", "head_valid"),
         ("((pending or closing) and", "(pending and"),
         // The header of a query is taken early: one that ends its packet, words behind it, and what the job before is.
         ("kind(is_job) <= s_axis_tlast or not kind(is_query);", "kind(is_job) <= not kind(is_query);"),
@@ -501,7 +502,7 @@ fn every_packet_becomes_what_it_is() {
         ("(soft_reset and stays_within and not reset)", "(stays_within and not reset)"),
         ("if (reset or soft_reset) = '1' then", "if reset = '1' then"),
         (
-            "        pending <= '0';\n        closing <= '0';\n        query_pending <= '0';\n        posed_pending <= '0';\n        fault <= fine;",
+            "        pending <= '0';\n        closing <= '0';\n        goes <= '0';\n        query_pending <= '0';\n        posed_pending <= '0';\n        fault <= fine;",
             "        fault <= fine;",
         ),
         (

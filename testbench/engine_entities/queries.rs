@@ -62,7 +62,11 @@ fn queries(entity: &mut Entity) -> Outcome {
     let mut held = vec![vec![0; length]; LANES];
     let mut leaves = [false; LANES];
     // What control and the traversal have read in the clock before.
-    let mut before: Option<[Vec<u64>; 2]> = None;
+    let mut checked_before: Option<Vec<u64>> = None;
+    let mut listed_before: Option<Vec<u64>> = None;
+    // The volume unit's lane comes a clock before its words, and a query is written for it a clock after it is stored.
+    let (mut row, mut written) = (0, false);
+    let mut words = job(&mut rng, length);
     entity.reset();
     for clock in 0..2000 {
         let readers = ["checked_lane", "request_lane", "volume_lane", "front", "oldest"];
@@ -73,8 +77,10 @@ fn queries(entity: &mut Entity) -> Outcome {
         });
         let [checked, requested, of_volume, front, oldest] = lanes;
         let (write, lane, query, retire) =
-            (seldom(&mut rng, 4), rng.random_range(0..LANES), !seldom(&mut rng, 3), seldom(&mut rng, 4));
-        let words = job(&mut rng, length);
+            (!written && seldom(&mut rng, 4), rng.random_range(0..LANES), !seldom(&mut rng, 3), seldom(&mut rng, 4));
+        if !written {
+            words = job(&mut rng, length);
+        }
         entity.set_words("job_words", &words);
         for (port, value) in [
             ("store", write.into()),
@@ -86,17 +92,20 @@ fn queries(entity: &mut Entity) -> Outcome {
         }
         entity.settle();
         let same = |port: &str, due: u64| expect(entity.get(port) == due, clock, port);
-        // While a job is stored, control and the volume unit read nothing.
-        if let Some([checked, listed]) = &before {
+        // While a job is stored control reads nothing, and while it is written the volume unit does not.
+        same("written", written.into())?;
+        if let Some(checked) = &checked_before {
             expect(entity.words("checked") == checked[..5], clock, "checked")?;
+        }
+        if let Some(listed) = &listed_before {
             for (name, word) in [("block_count", 2), ("triangle_count", 3)] {
                 let [a, b] = halves(listed[word]);
                 same(&format!("{name}_a"), a)?;
                 same(&format!("{name}_b"), b)?;
             }
         }
-        if !write {
-            volume(entity, &held[of_volume], &format, clock)?;
+        if !written {
+            volume(entity, &held[row], &format, clock)?;
         }
         for (name, lane, word) in [("block_base", requested, 0), ("triangle_base", front, 1)] {
             let [a, b] = halves(held[lane][word]);
@@ -110,13 +119,15 @@ fn queries(entity: &mut Entity) -> Outcome {
         let due = (0..).zip(leaves).map(|(lane, leaves)| u64::from(leaves) << lane).sum();
         same("leaves_only", due)?;
         entity.clock();
-        before = (!write).then(|| [checked, of_volume].map(|lane| held[lane].clone()));
+        checked_before = (!write).then(|| held[checked].clone());
+        listed_before = (!written).then(|| held[row].clone());
+        (row, written) = (of_volume, write);
         if retire {
             leaves[oldest] = false;
         }
         if write {
             leaves[lane] = query && words[4] >> QueryFlags::LEAF_PAIRS & 1 == 1;
-            held[lane] = words;
+            held[lane].clone_from(&words);
         }
     }
     Ok(())
@@ -136,6 +147,8 @@ fn every_reader_gets_the_words_of_its_lane() {
             "& job_words(job_block_count_a) & job_words(job_block_count_b);",
         ),
         ("triangle_bases(to_integer(unsigned(front)));", "triangle_bases(to_integer(unsigned(oldest)));"),
+        ("if writes = '1' then", "if store = '1' then"),
+        ("        volume_row <= store_lane;", "          null;"),
         ("<= new_options(option_contact);", "<= new_options(option_separate);"),
         ("query_rows <= row(to_integer(unsigned(volume_row)));", "query_rows <= row(to_integer(unsigned(oldest)));"),
         ("<= new_options(option_leaves) and job_query;", "<= new_options(option_leaves);"),

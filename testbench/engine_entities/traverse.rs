@@ -481,8 +481,8 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("side_a & not side_a;", "not side_a & side_a;"),
         ("joins_b(1) := next_leaf(1) and next_leaf(0) and", "joins_b(1) :="),
         ("there_b <= listed_b and present_b;", "there_b <= listed_b;"),
-        ("or listed_deepest))", "))"),
-        ("(listed_leaves(k) and (fault_a(a) or fault_b(b)))", "(listed_leaves(k) and fault_b(b))"),
+        ("or found_deepest))", "))"),
+        ("(found_leaves(k) and (found_fault_a(a) or found_fault_b(b)))", "(found_leaves(k) and found_fault_b(b))"),
         ("pair_due <= some_leaves and not leaves_ended;", "pair_due <= some_leaves;"),
         ("if allowed = 1 then", "if allowed = 2 then"),
         ("+ unsigned(met_survivors(3 downto 3))", ""),
@@ -497,8 +497,8 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         // Lanes are mixed up.
         ("own_lane <= next_node_lane;", "own_lane <= met_lane;"),
         ("leaf_lane <= next_leaf_lane;", "leaf_lane <= met_lane;"),
-        ("tested_lane <= std_logic_vector(there_lane);", "tested_lane <= std_logic_vector(listed_lane);"),
-        ("(bad_a or bad_b) = '1' and there_lane = lane", "(bad_a or bad_b) = '1' and listed_lane = lane"),
+        ("told_lane <= there_lane;", "told_lane <= listed_lane;"),
+        ("(bad_a or bad_b) = '1' and told_lane = lane", "(bad_a or bad_b) = '1' and there_lane = lane"),
         // Right behind a pop: an entry that there is not, and an expansion more than the limit.
         ("lives and many and", "lives and filled and"),
         ("many and not few_left and", "many and"),

@@ -247,7 +247,7 @@ impl Sheet<'_> {
         let (loads, line) =
             (u32::from(values.block_ram), values.memory.load_line.high - values.memory.load_line.low + 1);
         let signs = values.unit.signs.len() as u32;
-        let flip_flops = words + 267 + signs.min(1) + loads * (53 + 2 * line);
+        let flip_flops = words + 268 + signs.min(1) + loads * (53 + 2 * line);
         let luts = self.of([287, 313, 247]) + signs * self.of([2, 16, 2]) + loads * self.of([52, 105, 51]);
         self.entity("engine_command", flip_flops, &[], &[(1, 6), (loads, line + 1), (loads, 8)], luts)
     }
@@ -287,7 +287,14 @@ impl Sheet<'_> {
         // Of the longest entries Yosys makes trees of the ECP5's wide multiplexers.
         let trees = if format.origin_bits > 16 { self.of([0, 8 * entries, 0]) } else { 0 };
         let luts = self.of([250, 181 + 17 * format.rows(), 235]) + trees;
-        self.entity("engine_queries", 3 * lanes, &[in_place.as_slice(), &apart, &registered].concat(), &[], luts)
+        let written = if self.values.traversal.paced { 1 + self.design.params.lane_bits() } else { 0 };
+        self.entity(
+            "engine_queries",
+            3 * lanes + written,
+            &[in_place.as_slice(), &apart, &registered].concat(),
+            &[],
+            luts,
+        )
     }
 
     /// Registers of the lanes that end.
@@ -324,8 +331,7 @@ impl Sheet<'_> {
         let (lanes, lane) = (params.queries, params.lane_bits());
         // Which children an entry has and the fault of a child are not read.
         let met = self.read_bits(t.entry_bits - 4, t.entry_bits);
-        let flip_flops =
-            5 * t.flight_bits + (4 + u32::from(t.paced)) * lane + 38 + met + self.read_bits(4 * 29, 4 * 30) + lanes;
+        let flip_flops = 5 * t.flight_bits + 4 * lane + 43 + met + self.read_bits(4 * 29, 4 * 30) + lanes;
         let memories =
             [t.entry_bits, met, lane, lane, self.read_bits(116, 120), 12].map(|bits| (Apart, t.flight_places, bits));
         let own = self.entity("engine_flight", flip_flops, &memories, &[(4, t.flight_bits)], 60);
@@ -363,7 +369,7 @@ impl Sheet<'_> {
             1 => [(4, 31), (2, 31)],
             bits => [(4, 31u32.div_ceil(bits) + 1), (2, (node + 4) / bits + 1)],
         };
-        self.entity("engine_children", 2 * 32 + node + codes * parts_of_code + tags + 2, &[], &chains, luts)
+        self.entity("engine_children", 2 * 32 + node + codes * (parts_of_code + 1) + tags + 4, &[], &chains, luts)
     }
 
     /// Three entries, and places.
