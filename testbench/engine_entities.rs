@@ -13,6 +13,7 @@ mod queries;
 mod read_master;
 mod stack;
 mod traverse;
+mod triangles;
 
 use crate::extent::share;
 use crate::tools::{ghdl, replaced};
@@ -44,12 +45,18 @@ fn small(memory: Memory) -> EngineDesign {
     EngineDesign::new(&engine, &Params::default()).unwrap()
 }
 
-/// Tests an entity of a design; then with each of some changes of its text, which the test must notice.
-fn tried(design: &EngineDesign, name: &str, changes: &[(&str, &str)], test: impl Fn(&mut Entity) -> Outcome) {
-    tried_with(design, name, &[], changes, test);
+/// The text of an entity or package of a design.
+fn text_of(design: &EngineDesign, name: &str) -> String {
+    let files = engine_files(design, &Prefix::default(), "efsat generate --engine").unwrap();
+    files.into_iter().find(|(file, _)| *file == format!("{name}.vhd")).unwrap().1
 }
 
-/// The same of an entity that has others in it, of which one may be changed. The package that all of them share is in front.
+/// Tests an entity of a design; then with each of some changes of its text, which the test must notice.
+fn tried(design: &EngineDesign, name: &str, changes: &[(&str, &str)], test: impl Fn(&mut Entity) -> Outcome) {
+    tried_beside(design, name, "", changes, test);
+}
+
+/// The same of an entity that has others in it, of which one may be changed.
 fn tried_with(
     design: &EngineDesign,
     name: &str,
@@ -57,19 +64,29 @@ fn tried_with(
     changes: &[(&str, &str)],
     test: impl Fn(&mut Entity) -> Outcome,
 ) {
+    let parts: String = parts.iter().map(|part| text_of(design, part)).collect();
+    tried_beside(design, name, &parts, changes, test);
+}
+
+/// The same where the text of what is in it is given. The package that all of them share is in front.
+fn tried_beside(
+    design: &EngineDesign,
+    name: &str,
+    parts: &str,
+    changes: &[(&str, &str)],
+    test: impl Fn(&mut Entity) -> Outcome,
+) {
     let Some(ghdl) = ghdl() else { return };
-    let files = engine_files(design, &Prefix::default(), "efsat generate --engine").unwrap();
-    let text_of = |name: &str| &files.iter().find(|(file, _)| *file == format!("{name}.vhd")).unwrap().1;
-    let (text, parts) = (
-        text_of(name),
-        [&["engine_layout"], parts].concat().iter().map(|part| text_of(part).as_str()).collect::<String>(),
-    );
-    test(&mut Entity::new(ghdl, name, text, &parts)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let (text, parts) = (text_of(design, name), text_of(design, "engine_layout") + parts);
+    test(&mut Entity::new(ghdl, name, &text, &parts)).unwrap_or_else(|error| panic!("{name}: {error}"));
     for (from, to) in share(8, changes) {
         // A place in both is as wrong as one that is twice in one of them.
         assert!(!(text.contains(from) && parts.contains(from)), "{from}");
-        let (text, parts) =
-            if text.contains(from) { (&replaced(text, from, to), &parts) } else { (text, &replaced(&parts, from, to)) };
+        let (text, parts) = if text.contains(from) {
+            (&replaced(&text, from, to), &parts)
+        } else {
+            (&text, &replaced(&parts, from, to))
+        };
         let outcome = test(&mut Entity::new(ghdl, name, text, parts));
         assert!(outcome.is_err(), "{name}: not noticed: {from}");
     }

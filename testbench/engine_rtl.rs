@@ -290,7 +290,12 @@ fn a_wrong_engine_is_noticed() {
         // A leaf beside an inner node becomes an inner node; its side is the other.
         ("engine_survivors.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
         // Inner nodes are joined as if they were leaves.
-        ("engine_survivors.vhd", "joins_a(0) := next_leaf(3) and next_leaf(2) and", "joins_a(0) :=", quick),
+        (
+            "engine_survivors.vhd",
+            "next_joins_a := joins(next_leaf(3 downto 2),",
+            "next_joins_a := joins(\"11\",",
+            quick,
+        ),
         // Links that go back are taken.
         (
             "engine_children.vhd",

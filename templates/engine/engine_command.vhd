@@ -298,6 +298,7 @@ begin
         end if;
       end if;
       if taken = '1' then
+        at_header <= head_last;  -- behind a header alone there is none
         found := fault;
         answer_short := short;
 {%- if e.unit.signs.len() > 0 %}
@@ -466,16 +467,13 @@ begin
         occupied <= '0';
         moving <= '0';
         stop <= '0';
+        at_header <= not (soft_reset and stays_within) or reset;
 {%- if e.block_ram %}
         block_write <= '0';
         triangle_write <= '0';
 {%- endif %}
       end if;
       expectation <= next_expectation;
-      at_header <= '0';
-      if next_expectation = header_state then
-        at_header <= '1';
-      end if;
     end if;
   end process receive;
   job_valid <= pending;

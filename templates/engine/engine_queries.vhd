@@ -21,7 +21,7 @@ entity {{ prefix }}engine_queries is
     reset : in std_logic;  -- also a soft reset
     store : in std_logic;
     store_lane : in std_logic_vector(lane_bits - 1 downto 0);
-    job_words : in std_logic_vector(job_bits - 1 downto 0);
+    job_words : in std_logic_vector(job_bits - 1 downto 0);  -- from a clock before store on
     job_query : in std_logic;
     retire : in std_logic;  -- the oldest is done
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
@@ -99,7 +99,7 @@ architecture rtl of {{ prefix }}engine_queries is
   signal contact : std_logic_vector(lanes - 1 downto 0) := (others => '0');
   signal separate : std_logic_vector(lanes - 1 downto 0) := (others => '0');
 begin
-  -- Entries of the matrix: cut off and saturated.
+  -- Entries of the matrix: cut off and saturated. Which are is found a clock before.
 {%- for name in e.query.entries %}
   entry({{ loop.index0 }}) <= job_words(job_pose_{{ name }});
 {%- endfor %}
@@ -108,12 +108,26 @@ begin
     constant sign : natural := {{ e.query.entry.high }};
     constant above_bits : natural := {{ e.query.above_bits }};
     signal above : std_logic_vector(above_bits - 1 downto 0);  -- sign bits, if it fits
+    signal too_great : std_logic := '0';
+    signal too_small : std_logic := '0';
   begin
     cut <= entry(i)({{ e.query.cut }});
     above <= entry(i)({{ e.query.above }});
-    saturated(i) <= "{{ e.query.greatest_entry }}" when entry(i)(sign) = '0' and above /= "{{ e.query.above_zeros }}" else
-      "{{ e.query.least_entry }}" when entry(i)(sign) = '1' and (above /= "{{ e.query.above_ones }}" or cut = "{{ e.query.below_least }}") else
-      cut;
+    saturated(i) <= "{{ e.query.greatest_entry }}" when too_great = '1' else "{{ e.query.least_entry }}" when too_small = '1' else cut;
+
+    look : process (clk)
+    begin
+      if rising_edge(clk) then
+        too_great <= '0';
+        if entry(i)(sign) = '0' and above /= "{{ e.query.above_zeros }}" then
+          too_great <= '1';
+        end if;
+        too_small <= '0';
+        if entry(i)(sign) = '1' and (above /= "{{ e.query.above_ones }}" or cut = "{{ e.query.below_least }}") then
+          too_small <= '1';
+        end if;
+      end if;
+    end process look;
   end generate entries;
 {%- for name in e.query.entries %}
   new_matrix(query_{{ name }}) <= saturated({{ loop.index0 }});

@@ -78,7 +78,8 @@ fn queries(entity: &mut Entity) -> Outcome {
         let [checked, requested, of_volume, front, oldest] = lanes;
         let (write, lane, query, retire) =
             (!written && seldom(&mut rng, 4), rng.random_range(0..LANES), !seldom(&mut rng, 3), seldom(&mut rng, 4));
-        if !written {
+        // They are there a clock before, and a clock longer.
+        if !written && !write {
             words = job(&mut rng, length);
         }
         entity.set_words("job_words", &words);

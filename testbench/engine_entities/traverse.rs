@@ -479,7 +479,7 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("nodes_finished <= candidate and is_last;", "nodes_finished <= candidate;"),
         ("\"0100\" when left_over(2) = '1' else", "\"0110\" when left_over(2) = '1' else"),
         ("side_a & not side_a;", "not side_a & side_a;"),
-        ("joins_b(1) := next_leaf(1) and next_leaf(0) and", "joins_b(1) :="),
+        ("next_joins_b := joins(next_leaf(1 downto 0),", "next_joins_b := joins(\"11\","),
         ("there_b <= listed_b and present_b;", "there_b <= listed_b;"),
         ("or found_deepest))", "))"),
         ("(found_leaves(k) and (found_fault_a(a) or found_fault_b(b)))", "(found_leaves(k) and found_fault_b(b))"),
@@ -488,7 +488,7 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("+ unsigned(met_survivors(3 downto 3))", ""),
         // A record is lost, or overtaken.
         ("(nodes_wait = '1' or last_pick = '0')", "last_pick = '0'"),
-        ("next_last := next_joins_b(0);", "next_last := next_joins_a(0);"),
+        ("return of_b(0);", "return of_a(0);"),
         (
             "next_leaves <= leaf_memory(to_integer(leaf_read)) when leaves_wait = '1'",
             "next_leaves <= leaf_memory(to_integer(leaf_read)) when brings_leaves = '0'",

@@ -273,7 +273,7 @@ impl Sheet<'_> {
     fn stop(&self) -> Entity {
         let lanes = self.design.params.queries;
         let luts = self.of([44, 60, 37]) + lanes * self.of([50, 80, 45]) + self.chosen(24);
-        self.entity("engine_stop", lanes * (24 + 4) + 4, &[], &[], luts)
+        self.entity("engine_stop", lanes * (24 + 4) + 4 + self.design.params.lane_bits(), &[], &[], luts)
     }
 
     /// The words of queries for each of their readers; entries of the matrix are cut off and saturated.
@@ -290,7 +290,7 @@ impl Sheet<'_> {
         let written = if self.values.traversal.paced { 1 + self.design.params.lane_bits() } else { 0 };
         self.entity(
             "engine_queries",
-            3 * lanes + written,
+            3 * lanes + written + 18,
             &[in_place.as_slice(), &apart, &registered].concat(),
             &[],
             luts,
@@ -346,7 +346,7 @@ impl Sheet<'_> {
         // Nor are bits that the number of a block has not: whole cells of them are left out.
         let (cell, unread) = (self.fabric.memory_cell.1, 31 - child);
         let whole = (unread + 1).saturating_sub(cell) / cell * cell;
-        let record = self.read_bits(entry + 4 * child, entry + 124 - 4 * whole);
+        let record = self.read_bits(entry + 4 * child + 1, entry + 125 - 4 * whole);
         let queues = 2 * (3 * flight + 2) + lane + 119;
         let pushed = 3 * lane + 18 + (entry - 4) + 4 * child + 2 * child + 2 * node + level;
         let memories = [record, lane, 116, lane].map(|bits| (Apart, t.flight_places, bits));
