@@ -155,6 +155,7 @@ architecture rtl of efsat_engine is
   signal blocks_taken : std_logic;
   signal block_a : std_logic_vector(block_bits - 1 downto 0);
   signal block_b : std_logic_vector(block_bits - 1 downto 0);
+  signal query_written : std_logic;
   signal volume_valid : std_logic;
   signal volume_ready : std_logic;
   signal take_lane : std_logic_vector(lane_bits - 1 downto 0);
@@ -335,6 +336,7 @@ begin
       block_count_b => block_count_b,
       triangle_count_a => triangle_count_a,
       triangle_count_b => triangle_count_b,
+      written => query_written,
       volume_lane => take_lane,
       query_pose => query_pose,
       query_shift => query_shift,
@@ -397,8 +399,8 @@ begin
       survived_lane => survived_lane,
       greatest_stack => greatest_stack
     );
-  -- While a job is stored, the words of a query are not read.
-  volume_valid <= blocks_valid and not job_taken;
+  -- While words of a query are written, none are read.
+  volume_valid <= blocks_valid and not query_written;
   blocks_taken <= volume_valid and volume_ready;
 
   volume : entity work.volume_unit

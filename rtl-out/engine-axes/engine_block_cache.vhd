@@ -308,14 +308,14 @@ begin
 
   serve : process (clk)
     variable queued : std_logic;
-    variable leaves : std_logic;
+    variable more : unsigned(order_bits downto 0);  -- waiting orders, if none leaves
+    variable less : unsigned(order_bits downto 0);  -- if one does
   begin
     if rising_edge(clk) then
-      if line_free = '1' then
+      if comes_forward = '1' then
         front_line <= whole(511 downto 0);
       end if;
       -- A request that passes becomes the first one, or waits behind others.
-      leaves := order_leaves and some_wait;
       queued := passes and (some_wait or not order_leaves);
       if queued = '1' then
         order_memory(to_integer(order_in)) <= new_order;
@@ -341,16 +341,27 @@ begin
         if queued = '1' then
           order_in <= order_in + 1;
         end if;
-        if leaves = '1' then
+        if (order_leaves and some_wait) = '1' then
           order_out <= order_out + 1;
         end if;
-        if queued = '1' and leaves = '0' then
-          orders_waiting <= orders_waiting + 1;
-          some_wait <= '1';
-        elsif queued = '0' and leaves = '1' then
-          orders_waiting <= orders_waiting - 1;
-          if orders_waiting = 1 then
-            some_wait <= '0';
+        -- Whether one leaves is known late in a clock, so both counts are there before.
+        more := orders_waiting;
+        less := orders_waiting;
+        if passes = '1' then
+          more := orders_waiting + 1;
+        elsif some_wait = '1' then
+          less := orders_waiting - 1;
+        end if;
+        if some_wait = '0' then
+          less := (others => '0');
+        end if;
+        orders_waiting <= more;
+        some_wait <= some_wait or passes;
+        if order_leaves = '1' then
+          orders_waiting <= less;
+          some_wait <= '0';
+          if some_wait = '1' and (passes = '1' or orders_waiting /= 1) then
+            some_wait <= '1';
           end if;
         end if;
         if order_leaves = '1' then

@@ -112,6 +112,7 @@ architecture rtl of engine_command is
   signal moving : std_logic := '0';  -- a pose does
   signal fault : std_logic_vector(4 downto 0) := fine;
   signal waits : std_logic;  -- the packet does
+  signal goes : std_logic := '0';  -- the header is taken
   signal reset_taken : std_logic;  -- the word of a soft reset
   signal reset_now : std_logic := '0';  -- a clock later: control is busy from the next clock on
   signal clears : std_logic;
@@ -190,11 +191,11 @@ begin
 
   -- ===== Packets =====
   -- A packet begins when its job has a place to go, and pairs when everything before them is done. The header of a query goes
-  -- nowhere: its words wait for the register.
+  -- nowhere: its words wait for the register. A header is looked at in one clock and taken in the next; nothing that it waits for
+  -- begins in between.
   waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and (head_kind(is_pairs)));
-  taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when at_header = '1' else
-    head_valid and not occupied and not pending;
-  reset_taken <= at_header and head_valid and head_kind(is_reset);
+  taken <= goes when at_header = '1' else head_valid and not occupied and not pending;
+  reset_taken <= goes and head_kind(is_reset);
   clears <= reset or soft_reset or reset_taken;
   shifts <= (head_valid and gathers and not pending) or moving;
   -- A word that is none, in front of the first one or between two, is not looked at.
@@ -217,6 +218,8 @@ begin
       stop <= '0';
       closing <= '0';
       reset_now <= reset_taken and not (reset or soft_reset);
+      goes <= at_header and head_valid and not goes
+        and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits)));
       stop_number <= head(option_number);
       forget_number <= (others => '0');
       if (reset_taken and not soft_reset) = '1' then
@@ -284,6 +287,7 @@ begin
         end if;
       end if;
       if taken = '1' then
+        at_header <= head_last;  -- behind a header alone there is none
         found := fault;
         answer_short := short;
         if expectation = header_state then
@@ -390,6 +394,7 @@ begin
         end if;
         pending <= '0';
         closing <= '0';
+        goes <= '0';
         query_pending <= '0';
         posed_pending <= '0';
         fault <= fine;
@@ -397,12 +402,9 @@ begin
         occupied <= '0';
         moving <= '0';
         stop <= '0';
+        at_header <= not (soft_reset and stays_within) or reset;
       end if;
       expectation <= next_expectation;
-      at_header <= '0';
-      if next_expectation = header_state then
-        at_header <= '1';
-      end if;
     end if;
   end process receive;
   job_valid <= pending;

@@ -33,7 +33,7 @@ entity engine_flight is
     triangle_count_a : in std_logic_vector(31 downto 0);
     triangle_count_b : in std_logic_vector(31 downto 0);
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
-    tested_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
+    tested_lane : out std_logic_vector(lane_bits - 1 downto 0);
     -- An answer of the volume unit.
     survive_valid : in std_logic;
     survive : in std_logic_vector(3 downto 0);  -- bit 2 p + q: child p of A and child q of B may overlap
@@ -64,19 +64,20 @@ architecture rtl of engine_flight is
   signal entry_memory : entries := (others => (others => '0'));
   type children is array (0 to flight_places - 1) of std_logic_vector(119 downto 0);
   signal children_memory : children := (others => (others => '0'));
-  -- What their pairs are is found late in a clock, and written in the next: it can be read three clocks after the blocks were taken.
+  -- Faults of their pairs, pairs of leaves, pairs of nodes, written a clock later than the children, as links are compared first: they
+  -- can be read three clocks after the blocks were taken.
   type kinds_of_pairs is array (0 to flight_places - 1) of std_logic_vector(11 downto 0);
   signal kinds_memory : kinds_of_pairs := (others => (others => '0'));
   signal kinds_found : std_logic := '0';
   signal found_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
-  signal found_kinds : std_logic_vector(11 downto 0) := (others => '0');  -- faults, pairs of leaves, pairs of nodes
   type lane_list is array (0 to flight_places - 1) of unsigned(lane_bits - 1 downto 0);
   signal lane_memory : lane_list := (others => (others => '0'));
 
   signal taken_entry : std_logic_vector(entry_bits - 1 downto 0);
-  signal taken_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- a clock later: between two that are taken there are more
+  signal taken_lane : unsigned(lane_bits - 1 downto 0);
   signal listed_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal there_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal told_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- of tests, and of a bad block
   signal wanted_a : std_logic_vector(1 downto 0);
   signal wanted_b : std_logic_vector(1 downto 0);
   signal listed_a : std_logic_vector(1 downto 0) := "00";  -- wanted one clock ago
@@ -102,7 +103,15 @@ architecture rtl of engine_flight is
   signal listed_deepest : std_logic := '0';
   signal listed_nodes : std_logic_vector(3 downto 0);
   signal listed_leaves : std_logic_vector(3 downto 0);
-  signal listed_faults : std_logic_vector(3 downto 0);
+  -- A clock later.
+  signal found_deepest : std_logic := '0';
+  signal found_nodes : std_logic_vector(3 downto 0) := "0000";
+  signal found_leaves : std_logic_vector(3 downto 0) := "0000";
+  signal found_fault_a : std_logic_vector(1 downto 0) := "00";
+  signal found_fault_b : std_logic_vector(1 downto 0) := "00";
+  signal found_astray_a : std_logic_vector(1 downto 0) := "00";  -- it is no leaf
+  signal found_astray_b : std_logic_vector(1 downto 0) := "00";
+  signal found_faults : std_logic_vector(3 downto 0);
 
   -- The oldest of the pairs whose children are listed.
   signal answered_children : std_logic_vector(119 downto 0);
@@ -116,7 +125,9 @@ architecture rtl of engine_flight is
   signal wrong : std_logic := '0';  -- a survivor has a wrong link
 begin
   taken_entry <= entry_memory(to_integer(taken_place));
+  taken_lane <= lane_memory(to_integer(taken_place));
   take_lane <= std_logic_vector(taken_lane);
+  tested_lane <= std_logic_vector(told_lane);
   wanted_a <= taken_entry(entry_children_a);
   wanted_b <= taken_entry(entry_children_b);
   take_a <= wanted_a;
@@ -168,9 +179,8 @@ begin
         entry_memory(to_integer(popped_place)) <= popped_entry;
         lane_memory(to_integer(popped_place)) <= popped_lane;
       end if;
-      taken_lane <= lane_memory(to_integer(taken_place));
       tested <= tests;
-      tested_lane <= std_logic_vector(there_lane);
+      told_lane <= there_lane;
       listed_lane <= taken_lane;
       there_lane <= listed_lane;
       there_a <= "00";
@@ -189,9 +199,15 @@ begin
       end if;
       kinds_found <= listed and not reset;
       found_place <= listed_place;
-      found_kinds <= listed_faults & listed_leaves & listed_nodes;
+      found_deepest <= listed_deepest;
+      found_nodes <= listed_nodes;
+      found_leaves <= listed_leaves;
+      found_fault_a <= fault_a;
+      found_fault_b <= fault_b;
+      found_astray_a <= fault_a and not leaf_a;
+      found_astray_b <= fault_b and not leaf_b;
       if kinds_found = '1' then
-        kinds_memory(to_integer(found_place)) <= found_kinds;
+        kinds_memory(to_integer(found_place)) <= found_faults & found_leaves & found_nodes;
       end if;
       if reset = '1' then
         popped_place <= (others => '0');
@@ -224,8 +240,8 @@ begin
   begin
     listed_nodes(k) <= present_a(a) and present_b(b) and not (leaf_a(a) and leaf_b(b));
     listed_leaves(k) <= present_a(a) and present_b(b) and leaf_a(a) and leaf_b(b);
-    listed_faults(k) <= (listed_nodes(k) and ((fault_a(a) and not leaf_a(a)) or (fault_b(b) and not leaf_b(b)) or listed_deepest))
-      or (listed_leaves(k) and (fault_a(a) or fault_b(b)));
+    found_faults(k) <= (found_nodes(k) and (found_astray_a(a) or found_astray_b(b) or found_deepest))
+      or (found_leaves(k) and (found_fault_a(a) or found_fault_b(b)));
   end generate kinds;
 
   answered_children <= children_memory(to_integer(answered_place));
@@ -267,7 +283,7 @@ begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
         bad_tree(lane) <= '0';
-        if (wrong = '1' and met_lane_now = lane) or ((bad_a or bad_b) = '1' and there_lane = lane) then
+        if (wrong = '1' and met_lane_now = lane) or ((bad_a or bad_b) = '1' and told_lane = lane) then
           bad_tree(lane) <= not reset;
         end if;
       end loop;

@@ -50,7 +50,7 @@ architecture rtl of engine_survivors is
 
   type lane_list is array (0 to flight_places - 1) of unsigned(lane_bits - 1 downto 0);
   -- Records of survivors that are pushed: the first is opened. Behind it there is room for all pairs in flight.
-  constant node_record_bits : natural := entry_bits + 124;
+  constant node_record_bits : natural := entry_bits + 125;
   subtype node_record is std_logic_vector(node_record_bits - 1 downto 0);
   type node_records is array (0 to flight_places - 1) of node_record;
   signal node_memory : node_records := (others => (others => '0'));
@@ -112,7 +112,8 @@ architecture rtl of engine_survivors is
   signal next_level : std_logic_vector(level_bits - 1 downto 0) := (others => '0');
   signal pair_due : std_logic;
   signal met_survivors : std_logic_vector(3 downto 0);
-  signal met_node_record : node_record;
+  signal met_leaf : std_logic_vector(3 downto 0);
+  signal met_node_record : node_record;  -- in front whether what is picked first is all
   signal met_leaf_record : leaf_record;
 
   function at_most_one(flags : std_logic_vector(3 downto 0)) return std_logic is
@@ -122,9 +123,32 @@ architecture rtl of engine_survivors is
     end if;
     return '0';
   end function at_most_one;
+
+  -- Bit q: both children of one side are leaves, child q of the other is none.
+  function joins(both : std_logic_vector(1 downto 0); other : std_logic_vector(1 downto 0)) return std_logic_vector is
+  begin
+    return (both(1) and both(0) and not other(1)) & (both(1) and both(0) and not other(0));
+  end function joins;
+
+  -- What is picked of these is all, with what goes with it.
+  function picks_all(left : std_logic_vector(3 downto 0); of_a : std_logic_vector(1 downto 0); of_b : std_logic_vector(1 downto 0)) return std_logic is
+  begin
+    if left = "1010" then
+      return of_a(1);
+    elsif left = "0101" then
+      return of_a(0);
+    elsif left = "1100" then
+      return of_b(1);
+    elsif left = "0011" then
+      return of_b(0);
+    end if;
+    return at_most_one(left);
+  end function picks_all;
 begin
   met_survivors <= met_nodes or met_leaves;
-  met_node_record <= met_nodes & met_family & met_entry;
+  met_leaf <= met_family(119) & met_family(89) & met_family(59) & met_family(29);
+  met_node_record <= picks_all(met_nodes, joins(met_leaf(3 downto 2), met_leaf(1 downto 0)), joins(met_leaf(1 downto 0), met_leaf(3 downto 2)))
+    & met_nodes & met_family & met_entry;
   -- Of the children their numbers.
   met_leaf_record <= met_leaves & met_family(117 downto 90) & met_family(87 downto 60) & met_family(57 downto 30) & met_family(27 downto 0);
 
@@ -231,6 +255,8 @@ begin
   begin
     if rising_edge(clk) then
       next_left := left_over and not gone;
+      -- Known a clock before, because much waits for it.
+      next_last := picks_all(next_left, joins_a, joins_b);
       next_joins_a := joins_a;
       next_joins_b := joins_b;
       survived_lane <= std_logic_vector(met_lane);
@@ -258,25 +284,13 @@ begin
       next_level <= std_logic_vector(unsigned(own(entry_level)) + 1);
       if last_pick = '1' then
         next_left := next_nodes(entry_bits + 123 downto entry_bits + 120);
-        next_joins_a(0) := next_leaf(3) and next_leaf(2) and not next_leaf(0);
-        next_joins_a(1) := next_leaf(3) and next_leaf(2) and not next_leaf(1);
-        next_joins_b(0) := next_leaf(1) and next_leaf(0) and not next_leaf(2);
-        next_joins_b(1) := next_leaf(1) and next_leaf(0) and not next_leaf(3);
+        next_joins_a := joins(next_leaf(3 downto 2), next_leaf(1 downto 0));
+        next_joins_b := joins(next_leaf(1 downto 0), next_leaf(3 downto 2));
+        next_last := next_nodes(entry_bits + 124);
         own <= next_nodes(entry_bits - 1 downto 0);
         family <= next_nodes(entry_bits + 119 downto entry_bits);
         own_lane <= next_node_lane;
         opened <= nodes_come;
-      end if;
-      -- Known a clock before, because much waits for it.
-      next_last := at_most_one(next_left);
-      if next_left = "1010" then
-        next_last := next_joins_a(1);
-      elsif next_left = "0101" then
-        next_last := next_joins_a(0);
-      elsif next_left = "1100" then
-        next_last := next_joins_b(1);
-      elsif next_left = "0011" then
-        next_last := next_joins_b(0);
       end if;
       left_over <= next_left;
       joins_a <= next_joins_a;

@@ -5,7 +5,8 @@
 -- The words of the queries in flight, in look-up tables: written once, when a job is taken, and read by the lane of whoever
 -- works on a query. The pose of a job that has no query is kept here, too. Each reader has a memory of its own, with as many
 -- rows as a look-up table has: of a memory with a row for each lane tools make flip-flops. Where a clock without a reader costs
--- nothing, memory is read and written at one place: the words for control and the volume unit mean nothing while store is set.
+-- nothing, memory is read and written at one place: the words for control mean nothing while store is set, those for the volume
+-- unit while they are written, a clock later: store is never set in two clocks on end, and job_words stay for one more.
 --
 -- The matrix for the origins of blocks is s1.17, cut off and saturated to +-(2^17 - 1); the shift is s4.22, cut off.
 --------------------------------------------------------------------------------
@@ -20,7 +21,7 @@ entity engine_queries is
     reset : in std_logic;  -- also a soft reset
     store : in std_logic;
     store_lane : in std_logic_vector(lane_bits - 1 downto 0);
-    job_words : in std_logic_vector(job_bits - 1 downto 0);
+    job_words : in std_logic_vector(job_bits - 1 downto 0);  -- from a clock before store on
     job_query : in std_logic;
     retire : in std_logic;  -- the oldest is done
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
@@ -36,7 +37,8 @@ entity engine_queries is
     block_count_b : out std_logic_vector(31 downto 0);
     triangle_count_a : out std_logic_vector(31 downto 0);
     triangle_count_b : out std_logic_vector(31 downto 0);
-    -- What the volume unit knows; not while a job is stored.
+    -- What the volume unit knows of the lane of a clock ago; not while it is written.
+    written : out std_logic;
     volume_lane : in std_logic_vector(lane_bits - 1 downto 0);
     query_pose : out std_logic_vector(query_pose_bits - 1 downto 0);
     query_shift : out std_logic_vector(query_shift_bits - 1 downto 0);
@@ -62,7 +64,9 @@ architecture rtl of engine_queries is
   signal block_bases : bases := (others => (others => '0'));
   signal triangle_bases : bases := (others => (others => '0'));
   signal head_row : std_logic_vector(lane_bits - 1 downto 0);
-  signal volume_row : std_logic_vector(lane_bits - 1 downto 0);
+  -- In registers, as hundreds of cells hang on them: between two expansions there are more clocks.
+  signal writes : std_logic := '0';
+  signal volume_row : std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
   signal requested : std_logic_vector(63 downto 0);
   signal asked : std_logic_vector(63 downto 0);
   type counts is array (0 to last) of std_logic_vector(127 downto 0);
@@ -90,7 +94,7 @@ architecture rtl of engine_queries is
   signal contact : std_logic_vector(lanes - 1 downto 0) := (others => '0');
   signal separate : std_logic_vector(lanes - 1 downto 0) := (others => '0');
 begin
-  -- Entries of the matrix: cut off and saturated.
+  -- Entries of the matrix: cut off and saturated. Which are is found a clock before.
   entry(0) <= job_words(job_pose_m00);
   entry(1) <= job_words(job_pose_m01);
   entry(2) <= job_words(job_pose_m02);
@@ -105,12 +109,26 @@ begin
     constant sign : natural := 31;
     constant above_bits : natural := 4;
     signal above : std_logic_vector(above_bits - 1 downto 0);  -- sign bits, if it fits
+    signal too_great : std_logic := '0';
+    signal too_small : std_logic := '0';
   begin
     cut <= entry(i)(28 downto 11);
     above <= entry(i)(31 downto 28);
-    saturated(i) <= "011111111111111111" when entry(i)(sign) = '0' and above /= "0000" else
-      "100000000000000001" when entry(i)(sign) = '1' and (above /= "1111" or cut = "100000000000000000") else
-      cut;
+    saturated(i) <= "011111111111111111" when too_great = '1' else "100000000000000001" when too_small = '1' else cut;
+
+    look : process (clk)
+    begin
+      if rising_edge(clk) then
+        too_great <= '0';
+        if entry(i)(sign) = '0' and above /= "0000" then
+          too_great <= '1';
+        end if;
+        too_small <= '0';
+        if entry(i)(sign) = '1' and (above /= "1111" or cut = "100000000000000000") then
+          too_small <= '1';
+        end if;
+      end if;
+    end process look;
   end generate entries;
   new_matrix(query_m00) <= saturated(0);
   new_matrix(query_m01) <= saturated(1);
@@ -143,13 +161,20 @@ begin
         head(to_integer(unsigned(head_row))) <= job_words(head_bits - 1 downto 0);
         block_bases(to_integer(unsigned(store_lane))) <= job_words(job_blocks_b) & job_words(job_blocks_a);
         triangle_bases(to_integer(unsigned(store_lane))) <= job_words(job_triangles_b) & job_words(job_triangles_a);
+        pose_memory(to_integer(unsigned(store_lane))) <= job_words(job_pose);
+      end if;
+      if writes = '1' then
         object_counts(to_integer(unsigned(volume_row))) <= job_words(job_triangle_count_b) & job_words(job_triangle_count_a)
           & job_words(job_block_count_b) & job_words(job_block_count_a);
-        pose_memory(to_integer(unsigned(store_lane))) <= job_words(job_pose);
         matrix(to_integer(unsigned(volume_row))) <= new_matrix;
         shift(to_integer(unsigned(volume_row))) <= new_shift;
         shift_error(to_integer(unsigned(volume_row))) <= job_words(job_errors);
         row(to_integer(unsigned(volume_row))) <= new_rows;
+      end if;
+      writes <= store;
+      volume_row <= volume_lane;
+      if store = '1' then
+        volume_row <= store_lane;
       end if;
       checked <= head(to_integer(unsigned(head_row)));
       listed <= object_counts(to_integer(unsigned(volume_row)));
@@ -177,7 +202,7 @@ begin
   block_count_b <= listed(63 downto 32);
   triangle_count_a <= listed(95 downto 64);
   triangle_count_b <= listed(127 downto 96);
-  volume_row <= store_lane when store = '1' else volume_lane;
+  written <= writes;
   query_pose <= matrix(to_integer(unsigned(volume_row)));
   query_shift <= shift(to_integer(unsigned(volume_row)));
   query_errors <= shift_error(to_integer(unsigned(volume_row)));

@@ -38,6 +38,7 @@ architecture rtl of engine_stop is
   constant no_lane : flags := (others => '0');
   type lane_numbers is array (0 to lanes - 1) of std_logic_vector(23 downto 0);
   signal numbers : lane_numbers := (others => (others => '0'));
+  signal order : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- the oldest lane, a clock ago: the one that is free since then is not found, and the others come in the same order
   signal due : std_logic := '0';
   signal same_job : std_logic;
   signal same_job_before : std_logic := '0';
@@ -59,7 +60,7 @@ begin
     signal earlier : flags;  -- older queries with that number
   begin
     by_age : for other in 0 to lanes - 1 generate
-      earlier(other) <= found(other) when other - oldest < lane - oldest else '0';
+      earlier(other) <= found(other) when other - order < lane - order else '0';
     end generate by_age;
     first(lane) <= found(lane) when earlier = no_lane else '0';
   end generate match;
@@ -67,6 +68,7 @@ begin
   compare : process (clk)
   begin
     if rising_edge(clk) then
+      order <= oldest;
       due <= stop and not forgotten;
       same_job_before <= same_job;
       found_job <= due and same_job_before and job_valid and not job_taken and not forgotten;
