@@ -109,7 +109,7 @@ architecture rtl of engine_flight is
   signal found_leaves : std_logic_vector(3 downto 0) := "0000";
   signal found_fault_a : std_logic_vector(1 downto 0) := "00";
   signal found_fault_b : std_logic_vector(1 downto 0) := "00";
-  signal found_astray_a : std_logic_vector(1 downto 0) := "00";  -- it is no leaf
+  signal found_astray_a : std_logic_vector(1 downto 0) := "00";  -- a fault of a child that is no leaf
   signal found_astray_b : std_logic_vector(1 downto 0) := "00";
   signal found_faults : std_logic_vector(3 downto 0);
 

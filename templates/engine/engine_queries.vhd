@@ -21,15 +21,15 @@ entity {{ prefix }}engine_queries is
     reset : in std_logic;  -- also a soft reset
     store : in std_logic;
     store_lane : in std_logic_vector(lane_bits - 1 downto 0);
-    job_words : in std_logic_vector(job_bits - 1 downto 0);  -- from a clock before store on
+    job_words : in std_logic_vector(job_bits - 1 downto 0);  -- from a clock before store{% if e.traversal.paced %} to a clock after it{% else %} on{% endif %}
     job_query : in std_logic;
     retire : in std_logic;  -- the oldest is done
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
     -- The first words of a query, for control, a clock later; they mean nothing in the clock after one is stored.
     checked_lane : in std_logic_vector(lane_bits - 1 downto 0);
     checked : out std_logic_vector(head_bits - 1 downto 0);
-    -- Where the blocks are that the traversal asks for, and how many blocks and triangles the trees of the volume lane have, a clock
-    -- later: it reads links then.
+    -- Where the blocks are that the traversal asks for, and how many blocks and triangles the trees have whose volumes the volume unit
+    -- read a clock ago: the links are read then.
     request_lane : in std_logic_vector(lane_bits - 1 downto 0);
     block_base_a : out std_logic_vector(31 downto 0);  -- address / 64
     block_base_b : out std_logic_vector(31 downto 0);
@@ -65,7 +65,8 @@ architecture rtl of {{ prefix }}engine_queries is
   signal triangle_bases : bases := (others => (others => '0'));
   signal head_row : std_logic_vector(lane_bits - 1 downto 0);
 {%- if e.traversal.paced %}
-  -- In registers, as hundreds of cells hang on them: between two expansions there are more clocks.
+  -- In registers, as hundreds of cells hang on them: the lane of the next expansion is there a clock after one, its row another clock
+  -- later, and the volume unit takes the next at the earliest three clocks after one.
   signal writes : std_logic := '0';
   signal volume_row : std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
 {%- else %}

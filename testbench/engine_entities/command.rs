@@ -388,6 +388,7 @@ fn command(entity: &mut Entity) -> Outcome {
     let (mut hold, mut seen, mut waited, mut overtakes) = (0u32, false, false, 0);
     // A clock before, a soft reset by the stream is announced.
     let mut announced = false;
+    let (mut had_job, mut took_job, mut words_before) = (false, false, vec![]);
     // A word that was offered stays until it is taken.
     let mut offered = false;
     for clock in 0.. {
@@ -447,6 +448,10 @@ fn command(entity: &mut Entity) -> Outcome {
             resets += 1;
             overtakes += usize::from(waited && hold > 0);
         }
+        // A job is taken a clock after it is there at the earliest; it is read a clock before it is taken and a clock after, too.
+        let words = entity.words("job_words");
+        expect(!(took_job || takes_job && had_job) || words == words_before, clock, "words of a job that change")?;
+        (had_job, took_job, words_before) = (job, takes_job, words);
         waited = job || pair;
         packets.given(entity, clock, [takes_job, takes_pair])?;
         working = if takes_job { packets.rng.random_range(0..120) } else { u32::saturating_sub(working, 1) };
@@ -479,6 +484,8 @@ fn every_packet_becomes_what_it_is() {
         ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_pairs)"),
         ("(head_kind(is_stop) or not waits)", "not waits"),
         ("head_valid and not goes", "head_valid"),
+        ("at_header <= head_last;", "at_header <= '0';"),
+        ("at_header <= not (soft_reset and stays_within) or reset;", "at_header <= '0';"),
         ("((pending or closing) and", "(pending and"),
         // The header of a query is taken early: one that ends its packet, words behind it, and what the job before is.
         ("kind(is_job) <= s_axis_tlast or not kind(is_query);", "kind(is_job) <= not kind(is_query);"),

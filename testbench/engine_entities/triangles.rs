@@ -58,7 +58,7 @@ begin
 end architecture stub;
 ";
 
-/// Nine numbers of 32 bits in whole words, then what is beside them.
+/// x, y and z of three corners.
 type Corners = [u32; 9];
 
 /// What is to come out: lane, numbers, verdict, whether it is the last of its packet, whether a number is outside.
@@ -76,6 +76,7 @@ struct Decided {
 struct Pair {
     numbers: [u64; 2],
     corners: [Corners; 2],
+    lane: u64,
     /// There is a place for its answer, from some clock on.
     testable: bool,
 }
@@ -180,7 +181,8 @@ fn triangles(entity: &mut Entity, flag_bits: usize) -> Outcome {
             let corners = corners(&mut rng);
             if phase.running {
                 let numbers = [0; 2].map(|_| rng.random_range(0..1 << 28));
-                pair = Some(Pair { numbers, corners, testable: false });
+                let lane = if phase.leaves { phase.lane } else { rng.random_range(0..4) };
+                pair = Some(Pair { numbers, corners, lane, testable: false });
             } else {
                 single = Some(Single { corners, tag: rng.random(), last: rng.random() });
             }
@@ -191,7 +193,7 @@ fn triangles(entity: &mut Entity, flag_bits: usize) -> Outcome {
         if pose.is_none() && seldom(&mut rng, 30) {
             pose = Some(rng.random());
         }
-        let (reset, ready) = (seldom(&mut rng, 300), !seldom(&mut rng, 3));
+        let (reset, ready) = (seldom(&mut rng, 100), !seldom(&mut rng, 3));
         drive(entity, pair.as_ref(), single.as_ref(), pose);
         for (port, value) in [
             ("reset", reset),
@@ -202,8 +204,9 @@ fn triangles(entity: &mut Entity, flag_bits: usize) -> Outcome {
         ] {
             entity.set(port, value.into());
         }
-        entity.set("front", phase.lane);
-        entity.set("triangles_lane", phase.lane);
+        // Pairs of another lane than the front's are in the unit while its pose is waited for.
+        entity.set("front", if phase.leaves { phase.lane } else { rng.random_range(0..4) });
+        entity.set("triangles_lane", pair.as_ref().map_or(phase.lane, |pair| pair.lane));
         entity.settle();
 
         // That a pair has gone is told a clock later.
@@ -215,10 +218,10 @@ fn triangles(entity: &mut Entity, flag_bits: usize) -> Outcome {
         expect(entity.is("triangles_there") == (there && !offered), clock, "triangles_there")?;
         let testable = pair.as_ref().is_some_and(|pair| pair.testable);
         if taken {
-            let Some(Pair { numbers: [a, b], corners, .. }) = pair.take() else {
+            let Some(Pair { numbers: [a, b], corners, lane, .. }) = pair.take() else {
                 return Err(format!("clock {clock}: a pair is taken that there is not"));
             };
-            let (lane, numbers) = (Some(phase.lane), b << 28 | a);
+            let (lane, numbers) = (Some(lane), b << 28 | a);
             if before.offered {
                 let (verdict, ..) = found(&corners, own, flag_bits);
                 due.push_back(Decided { lane, numbers, verdict, last: false, outside: false });
@@ -310,10 +313,14 @@ fn every_pair_goes_to_the_unit_or_past_it_or_nowhere() {
         ("elsif decided_ready = '1' then", "else"),
         ("decided_last <= tested_numbers(tag_last) and not of_queries;", "decided_last <= tested_numbers(tag_last);"),
         ("decided_outside <= tested_outside and not of_queries;", "decided_outside <= tested_outside;"),
+        (
+            "decided_lane <= front when leaves_only = '1' else tested_tag(lane_bits + 55 downto 56);",
+            "decided_lane <= front;",
+        ),
         ("unit_v <= triangle_a(", "unit_v <= triangle_b("),
         ("of_queries <= running;", "of_queries <= '1';"),
         ("packet_last & job_words(job_pair_tag)", "'1' & job_words(job_pair_tag)"),
-        ("triangles_lane & numbers(55 downto", "not triangles_lane & numbers(55 downto"),
+        ("triangles_lane & numbers(55 downto", "front & numbers(55 downto"),
     ];
     let design = small(Memory::Axi);
     let unit = text_of(&design, "efsat");

@@ -290,7 +290,7 @@ impl Sheet<'_> {
         let written = if self.values.traversal.paced { 1 + self.design.params.lane_bits() } else { 0 };
         self.entity(
             "engine_queries",
-            3 * lanes + written + 18,
+            3 * lanes + written + 2 * 9,
             &[in_place.as_slice(), &apart, &registered].concat(),
             &[],
             luts,

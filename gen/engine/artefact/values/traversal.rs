@@ -24,7 +24,8 @@ pub(crate) struct Traversal {
     pub all_pairs: u32,
     pub pair_bits: u32,
     pub pair_room_bits: u32,
-    /// The volume unit takes far less than a pair of nodes every other clock, and so many are popped at most.
+    /// The volume unit takes far less than a pair of nodes every other clock, and so many are popped at most; and at least three clocks
+    /// are between two that it takes, so that the words of their queries come from registers.
     pub paced: bool,
     /// Pairs of nodes without blocks, in front of which a younger query waits.
     pub crowd: u32,
