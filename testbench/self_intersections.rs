@@ -166,7 +166,7 @@ fn exact_test() -> f64 {
 }
 
 /// A cone, and the disc that it is seen from above: all triangles share one vertex, and all pairs are neighbours. 18 million pairs
-/// take less than a fifth of the time of their exact tests.
+/// take less than a tenth of the time of their exact tests.
 #[test]
 fn triangles_around_one_vertex_take_no_exact_tests() {
     let home = tempfile::tempdir().unwrap();
@@ -195,6 +195,6 @@ fn triangles_around_one_vertex_take_no_exact_tests() {
         // The least of some runs: whatever else is running takes time, too.
         let seconds = (0..3).map(|_| run()).fold(f64::INFINITY, f64::min);
         let exact = 17_997_000.0 * exact_test();
-        assert!(5.0 * seconds < exact, "{name}: {seconds} s, exact tests {exact} s");
+        assert!(10.0 * seconds < exact, "{name}: {seconds} s, exact tests {exact} s");
     }
 }
