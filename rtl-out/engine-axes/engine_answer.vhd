@@ -117,7 +117,6 @@ architecture rtl of engine_answer is
   signal ends : std_logic;  -- it is the last one
   signal incomplete : std_logic;
 
-  signal expanded_here : std_logic_vector(lanes - 1 downto 0) := (others => '0');  -- a clock later: a report comes later still
   type lane_counts is array (0 to lanes - 1) of unsigned(31 downto 0);
   signal clocks : lane_counts := (others => (others => '0'));
   signal expansions : lane_counts := (others => (others => '0'));
@@ -289,11 +288,7 @@ begin
         if counting(lane) = '1' then
           clocks(lane) <= clocks(lane) + 1;
         end if;
-        expanded_here(lane) <= '0';
-        if unsigned(expanded_lane) = lane then
-          expanded_here(lane) <= expanded and not clear(lane);
-        end if;
-        if expanded_here(lane) = '1' then
+        if expanded = '1' and unsigned(expanded_lane) = lane then
           expansions(lane) <= expansions(lane) + 1;
         end if;
         if unsigned(tested_lane) = lane then

@@ -98,6 +98,9 @@ architecture rtl of engine_control is
   type lane_reasons is array (0 to lanes - 1) of std_logic_vector(4 downto 0);
   signal reasons : lane_reasons := (others => fine);
   signal sound : flags := (others => '0');  -- the reason is fine
+  -- A reason to end that was found a clock ago.
+  signal found : flags := (others => '0');
+  signal found_reasons : lane_reasons := (others => fine);
   signal not_reported : flags;  -- lanes with a query that is not reported yet
   -- What follows from these, each in a register of its own, because it is read in many places.
   signal running_now : std_logic := '0';
@@ -131,6 +134,7 @@ architecture rtl of engine_control is
   signal reporting : std_logic := '0';
   signal retires : std_logic;
   signal here : flags;  -- the lane of the oldest, if it is admitted
+  signal done : std_logic;  -- all of it is
   signal reads_before : std_logic := '0';
   signal error_before : std_logic := '0';
   signal silent_before : std_logic := '0';
@@ -177,6 +181,8 @@ begin
   admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
   here <= admitted and is_oldest;
+  -- What has just begun was idle a clock ago.
+  done <= not (started_pulse or idle_is_old) when (here and idle) /= no_lane else '0';
   fails <= reads_before and (error_before or silent_before) and not (reporting or aborting)
     when (started_now and is_oldest) /= no_lane else '0';
 
@@ -338,22 +344,25 @@ begin
         end loop;
       end if;
 
-      -- Reasons to end; that of the oldest stays from its report on.
+      -- Reasons to end are found in one clock and taken in the next; that of the oldest stays from its report on.
       for lane in 0 to lanes - 1 loop
-        if started_now(lane) = '1' and sound(lane) = '1' and (reporting = '0' or is_oldest(lane) = '0') then
-          if bad_tree(lane) = '1' then
-            now_reasons(lane) := reason_bad_tree;
-            now_sound(lane) := '0';
-          elsif contact = '1' and is_oldest(lane) = '1' then
-            now_reasons(lane) := reason_contact;
-            now_sound(lane) := '0';
-          elsif limit_reached(lane) = '1' then
-            now_reasons(lane) := reason_limit;
-            now_sound(lane) := '0';
-          elsif stopped(lane) = '1' then
-            now_reasons(lane) := reason_stopped;
-            now_sound(lane) := '0';
-          end if;
+        found(lane) <= '0';
+        found_reasons(lane) <= reason_stopped;
+        if limit_reached(lane) = '1' then
+          found_reasons(lane) <= reason_limit;
+        end if;
+        if contact = '1' and is_oldest(lane) = '1' then
+          found_reasons(lane) <= reason_contact;
+        end if;
+        if bad_tree(lane) = '1' then
+          found_reasons(lane) <= reason_bad_tree;
+        end if;
+        if is_oldest(lane) = '0' or (reporting or done) = '0' then
+          found(lane) <= bad_tree(lane) or (contact and is_oldest(lane)) or limit_reached(lane) or stopped(lane);
+        end if;
+        if (found(lane) and started_now(lane) and sound(lane)) = '1' then
+          now_reasons(lane) := found_reasons(lane);
+          now_sound(lane) := '0';
         end if;
       end loop;
 
@@ -397,8 +406,7 @@ begin
             end if;
           end if;
         end loop;
-      elsif (here and idle) /= no_lane and started_pulse = '0' and idle_is_old = '0' then
-        -- What has just begun was idle a clock ago.
+      elsif done = '1' then
         now_reporting := '1';
       end if;
 

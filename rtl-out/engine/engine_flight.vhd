@@ -215,6 +215,9 @@ begin
         listed_place <= (others => '0');
         answered_place <= (others => '0');
         listed <= '0';
+        there_a <= "00";
+        there_b <= "00";
+        tested <= "000";  -- of what is forgotten nothing is counted
       else
         listed <= blocks_taken;
         if popped = '1' then

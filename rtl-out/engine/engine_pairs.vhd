@@ -71,10 +71,12 @@ architecture rtl of engine_pairs is
   type lane_counts is array (0 to lanes - 1) of unsigned(place_bits downto 0);
   signal waiting : lane_counts := (others => (others => '0'));  -- in the queue
   signal some_wait : flags := (others => '0');
-  signal full : flags := (others => '0');  -- that of the oldest query can be, and then all pairs wait
+  signal full : flags := (others => '0');  -- but for one place at most
+  -- That of the oldest query was full a clock ago, so all pairs wait: the one that came meanwhile has the last place. Others are never
+  -- stopped by theirs.
+  signal oldest_full : std_logic := '0';
   signal write_place : unsigned(lane_bits + place_bits - 1 downto 0);
   signal fetch_place : unsigned(lane_bits + place_bits - 1 downto 0);
-  signal none_full : std_logic;
   signal accepts : std_logic;
   signal passes : std_logic;  -- it is the next one of the front lane, and passes by its queue
   signal fetches : std_logic;  -- the memory is read, also where nothing waits; of three clocks in two, if there is always more
@@ -124,9 +126,8 @@ architecture rtl of engine_pairs is
 begin
   write_place <= unsigned(pair_lane) & written(to_integer(unsigned(pair_lane)));
   fetch_place <= front_lane & fetched(to_integer(front_lane));
-  none_full <= '1' when full = nobody else '0';
-  pair_ready <= none_full;
-  accepts <= pair_valid and none_full;
+  pair_ready <= not oldest_full;
+  accepts <= pair_valid and not oldest_full;
   passes <= accepts and is_front(to_integer(unsigned(pair_lane))) and not (held or front_waits);
   held <= head_valid or next_valid or read_valid;
   front_ending <= '0' when (ending and is_front) = nobody else '1';
@@ -232,11 +233,13 @@ begin
         end if;
         if comes and not goes then
           some_wait(lane) <= '1';
-          if waiting(lane) = places - 1 then
+          if waiting(lane) = places - 2 then
             full(lane) <= '1';
           end if;
         elsif goes and not comes then
-          full(lane) <= '0';
+          if waiting(lane) = places - 1 then
+            full(lane) <= '0';
+          end if;
           if waiting(lane) = 1 then
             some_wait(lane) <= '0';
           end if;
@@ -293,6 +296,10 @@ begin
         head_valid <= '0';
         next_valid <= '0';
         read_valid <= '0';
+      end if;
+      oldest_full <= '0';
+      if (full and oldest_flags) /= nobody then
+        oldest_full <= not reset;
       end if;
       asked_one <= asked and not reset;
       left_of_last := of_last;

@@ -21,7 +21,7 @@ entity engine_traverse is
     start_lane : in std_logic_vector(lane_bits - 1 downto 0);
     most_expansions : in std_logic_vector(31 downto 0);  -- of it; 0: 2^32, after which the count of the report begins again
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
-    ending : in std_logic_vector(lanes - 1 downto 0);  -- no pair is popped any more, and what is in flight is dropped
+    ending : in std_logic_vector(lanes - 1 downto 0);  -- from the next clock on no pair is popped any more; what is in flight is dropped
     -- Of the query whose blocks were taken a clock ago.
     block_count_a : in std_logic_vector(31 downto 0);
     block_count_b : in std_logic_vector(31 downto 0);
@@ -53,8 +53,8 @@ entity engine_traverse is
     waiting : out std_logic;  -- something is in flight
     bad_tree : out std_logic_vector(lanes - 1 downto 0);
     limit_reached : out std_logic_vector(lanes - 1 downto 0);
-    expanded : out std_logic;
-    expanded_lane : out std_logic_vector(lane_bits - 1 downto 0);
+    expanded : out std_logic := '0';  -- a clock ago
+    expanded_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
     tested_lane : out std_logic_vector(lane_bits - 1 downto 0);
     survived : out std_logic_vector(2 downto 0);  -- so many more
@@ -89,6 +89,8 @@ begin
   begin
     if rising_edge(clk) then
       ended <= ending;
+      expanded <= popped and not reset;
+      expanded_lane <= std_logic_vector(popped_lane);
     end if;
   end process delay;
 
@@ -192,7 +194,5 @@ begin
       leaves_finished => leaves_finished
     );
 
-  expanded <= popped;
-  expanded_lane <= std_logic_vector(popped_lane);
   pair_lane <= leaf_lane;
 end architecture rtl;

@@ -22,8 +22,8 @@ entity {{ prefix }}engine_issue is
     start_lane : in std_logic_vector(lane_bits - 1 downto 0);
     most_expansions : in std_logic_vector(31 downto 0);  -- of it; 0: 2^32, after which the count of the report begins again
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
-    ending : in std_logic_vector(lanes - 1 downto 0);  -- no pair is popped any more
-    ended : in std_logic_vector(lanes - 1 downto 0);  -- the same, a clock later
+    ending : in std_logic_vector(lanes - 1 downto 0);  -- from the next clock on none is chosen any more
+    ended : in std_logic_vector(lanes - 1 downto 0);  -- the same, a clock later: none is popped
     -- A pair that is popped, and its blocks, which are asked for a clock later.
     popped : out std_logic;
     popped_lane : out unsigned(lane_bits - 1 downto 0);
@@ -70,7 +70,7 @@ architecture rtl of {{ prefix }}engine_issue is
   signal only_one : std_logic;
   type lane_entries is array (0 to lanes - 1) of std_logic_vector(entry_bits - 1 downto 0);
   signal pop : std_logic;
-  signal lives : flags;  -- chosen, and not about to end
+  signal lives : flags;  -- chosen, and not ended
   signal pops : flags;
   signal may_pop : flags;
   -- The oldest query, a clock later: the next one is oldest only when nothing of the one before it is left.
@@ -168,7 +168,7 @@ begin
   issue_free <= not issued;
 {% else %}  issue_free <= request_ready or not issued;
 {% endif %}  some_chosen <= '0' when chosen = nobody else '1';
-  lives <= chosen and not ending;
+  lives <= chosen and not ended;
   pop <= '0' when lives = nobody else issue_free;
   popped <= pop;
   popped_lane <= chosen_lane;
@@ -230,7 +230,7 @@ begin
             chosen <= nobody;
           end if;
         else
-          chosen <= chosen and not ending;
+          chosen <= chosen and not ended;
         end if;
         all_fly <= '0';
         nearly_all_fly <= '0';

@@ -10,8 +10,8 @@
 -- at most 3 ({{ e.traversal.levels }} - l) + 1 entries above what lay below it, and entries of level {{ e.traversal.levels }} push nothing:
 -- used <= {{ e.traversal.wide }} + 3 x {{ e.traversal.levels }} + 1 = {{ e.traversal.stack }} at all times.
 --
--- The oldest query comes first. While a queue of leaf pairs is full no pair comes into any, so a younger query does not fill its own:
--- it is popped only if queued + 4 (flying + 1) < {{ e.traversal.pairs }}. And it pops only while few pairs wait for their blocks, so that those of the
+-- The oldest query comes first. While its queue of leaf pairs is full, but for one place at most, no pair comes into any. A younger query does not fill its own: it
+-- is popped only if queued + 4 (flying + 1) < {{ e.traversal.pairs }}. And it pops only while few pairs wait for their blocks, so that those of the
 -- oldest do not wait behind many.
 --
 -- The lane is chosen in one clock (engine_issue) and its pair popped in a later one, and what frees room is counted a clock late or
@@ -32,8 +32,8 @@ entity {{ prefix }}engine_lane is
     more_expansions : in unsigned(31 downto 0);  -- of it, behind the first
     only_one : in std_logic;  -- the first is the last
     oldest : in std_logic;  -- it is the oldest query
-    ending : in std_logic;  -- no pair is popped any more
-    ended : in std_logic;  -- the same, a clock later
+    ending : in std_logic;  -- from the next clock on it is not chosen any more
+    ended : in std_logic;  -- the same, a clock later: no pair is popped
     -- Issue.
     all_fly : in std_logic;  -- no pair more may be in flight
     crowded : in std_logic;  -- so many pairs wait for blocks that a younger query pops none
@@ -117,7 +117,7 @@ begin
       push <= (start or (pushes and not ending)) and not reset;
       limit_reached <= filled and spent and not ended and not ending;
       is_oldest <= oldest;
-      idle <= nothing_flies and (ending or not (filled or ended)) and not is_root;
+      idle <= nothing_flies and ((ending and ended) or not (filled or ended)) and not is_root;
     end if;
   end process rest;
 

@@ -261,7 +261,7 @@ begin
       next_joins_b := joins_b;
       survived_lane <= std_logic_vector(met_lane);
       survived <= "000";
-      if met = '1' then
+      if (met and not reset) = '1' then
         survived <= std_logic_vector(("00" & unsigned(met_survivors(0 downto 0))) + unsigned(met_survivors(1 downto 1))
           + unsigned(met_survivors(2 downto 2)) + unsigned(met_survivors(3 downto 3)));
       end if;

@@ -99,6 +99,8 @@ struct Lane {
     started: bool,
     /// Why it ends, once that is known.
     reason: Option<u64>,
+    /// The same, found a clock ago.
+    found: Option<u64>,
     stopped: bool,
     /// Nothing is to be done any more.
     idle: bool,
@@ -166,7 +168,8 @@ impl Control<'_> {
         let mut events = [0; 3];
         for (age, lane) in self.lanes.iter_mut().enumerate() {
             let bit = 1 << ((self.oldest + age) % LANES);
-            if !lane.started || lane.idle || !seldom(&mut self.rng, 30) {
+            // Something of others comes with a contact.
+            if !lane.started || lane.idle || (events[2] == 0 && !seldom(&mut self.rng, 30)) {
                 continue;
             }
             match self.rng.random_range(0..4) {
@@ -179,13 +182,16 @@ impl Control<'_> {
         events
     }
 
-    /// What a clock makes of the reasons.
+    /// What a clock makes of the reasons: they are found in one and taken in the next.
     fn reasons(&mut self, [bad, limit, contact]: [u64; 3]) {
-        let reporting = self.reporting;
         for (age, lane) in self.lanes.iter_mut().enumerate() {
             let bit = 1 << ((self.oldest + age) % LANES);
-            if !lane.started || lane.reason.is_some() || (age == 0 && reporting) {
+            let found = lane.found.take();
+            if age == 0 && self.reporting {
                 continue;
+            }
+            if lane.started {
+                lane.reason = lane.reason.or(found);
             }
             let due = [
                 (bad & bit > 0, Reason::BadTree),
@@ -193,7 +199,7 @@ impl Control<'_> {
                 (limit & bit > 0, Reason::Limit),
                 (lane.stopped, Reason::Stopped),
             ];
-            lane.reason = due.into_iter().find(|(found, _)| *found).map(|(_, reason)| reason as u64);
+            lane.found = due.into_iter().find(|(found, _)| *found).map(|(_, reason)| reason as u64);
         }
     }
 
@@ -287,7 +293,7 @@ impl Control<'_> {
             let beside = self.lanes.is_empty() || (job.query && self.lanes.iter().all(|lane| lane.job.query));
             self.expect(beside, "another job beside queries")?;
             let (admitted, stopped, reason) = (!job.query, self.stopped, (!job.query).then_some(job.reason));
-            self.lanes.push_back(Lane { job, admitted, started: false, reason, stopped, idle: false });
+            self.lanes.push_back(Lane { job, admitted, started: false, reason, found: None, stopped, idle: false });
             self.stopped = false;
         }
         if report_done {
@@ -422,8 +428,8 @@ impl Control<'_> {
             && reads
             && !reporting
         {
-            // Events of this clock come too late.
-            lane.reason = lane.reason.filter(|_| before.is_some()).or(Some(error as u64));
+            // What was found in the clock before comes too late.
+            lane.reason = before.or(Some(error as u64));
             self.aborting = true;
         }
         Ok(())
@@ -446,7 +452,7 @@ impl Control<'_> {
         let (query, posed, short, reason) = (false, false, false, Reason::Reset as u64);
         let job = Job { id: 0, query, posed, short, reason, number, words: vec![0; JOB_WORDS] };
         let (admitted, started, stopped, idle) = (true, false, false, false);
-        self.lanes = [Lane { job, admitted, started, reason: Some(reason), stopped, idle }].into();
+        self.lanes = [Lane { job, admitted, started, reason: Some(reason), found: None, stopped, idle }].into();
         (self.job, self.stopped, self.known, self.flushing, self.error) = (None, false, None, None, None);
         (self.draining, self.reporting, self.aborting) = (false, false, false);
         (self.found, self.reads_before, self.error_before) = Default::default();
@@ -482,12 +488,12 @@ fn control(entity: &mut Entity) -> Outcome {
         aborts: 0,
         together: 0,
     };
-    while control.clock < 20_000 {
+    while control.clock < 30_000 {
         control.clock()?;
     }
     let Control { reports, aborts, together, .. } = control;
-    let seen = reports > 200 && aborts > 20 && together > 2;
-    expect(seen, 20_000, &format!("{reports} reports, {aborts} aborts, {together} queries together"))
+    let seen = reports > 300 && aborts > 30 && together > 2;
+    expect(seen, 30_000, &format!("{reports} reports, {aborts} aborts, {together} queries together"))
 }
 
 #[test]
@@ -500,14 +506,26 @@ fn jobs_are_checked_and_run_and_reported() {
         ("if flush_now = '0' and flushing = '0' then", "if flushing = '0' then"),
         ("moved(4) <= not known or not", "moved(4) <= not"),
         // What has just begun is done.
-        ("(here and idle) /= no_lane and started_pulse = '0' and", "(here and idle) /= no_lane and"),
-        ("started_pulse = '0' and idle_is_old = '0' then", "started_pulse = '0' then"),
+        ("done <= not (started_pulse or idle_is_old) when", "done <= not idle_is_old when"),
+        ("done <= not (started_pulse or idle_is_old) when", "done <= not started_pulse when"),
+        // A reason is found too late, or for another query.
+        ("(reporting or done) = '0' then", "reporting = '0' then"),
+        ("if is_oldest(lane) = '0' or (reporting or done) = '0' then", "if true then"),
+        (
+            "if (found(lane) and started_now(lane) and sound(lane)) = '1' then",
+            "if (found(lane) and sound(lane)) = '1' then",
+        ),
+        (
+            "if (found(lane) and started_now(lane) and sound(lane)) = '1' then",
+            "if (found(lane) and started_now(lane)) = '1' then",
+        ),
+        ("if contact = '1' and is_oldest(lane) = '1' then", "if contact = '1' then"),
         ("if admitted_lane = oldest_lane then", "if admitted_lane = admitted_lane then"),
         // A stop is for whatever runs, for all of a number, or for nobody who waits; a contact for all.
         ("if numbers(lane) = stop_number then", "if true then"),
         ("first(lane) <= found(lane) when earlier = no_lane else '0';", "first(lane) <= found(lane);"),
         ("job_stopped := waiting_stopped or found_job;", "job_stopped := found_job;"),
-        ("elsif contact = '1' and is_oldest(lane) = '1' then", "elsif contact = '1' then"),
+        ("or (contact and is_oldest(lane)) or", "or contact or"),
         // What memory owes is not waited for, or without end; a query ends that does not read; the others go on.
         ("if memory_draining = '1' then", "if memory_draining = '1' and flushing = '1' then"),
         ("          if memory_silent = '1' then\n", "          if flushing = '1' then\n"),

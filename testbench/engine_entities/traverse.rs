@@ -192,8 +192,19 @@ struct Run {
     ended: Option<usize>,
     bad: bool,
     limited: bool,
+    /// Clocks since its start, and that in which the host stops it.
+    age: u32,
+    stop_at: Option<u32>,
+    /// A clock ago it was bad, limited or stopped.
+    noticed: bool,
     /// Clocks since it was idle: counts are registered.
     idle: u32,
+}
+
+impl Run {
+    fn stopped(&self) -> bool {
+        self.stop_at.is_some_and(|clock| self.age >= clock)
+    }
 }
 
 struct Around<'a> {
@@ -212,6 +223,8 @@ struct Around<'a> {
     listed: usize,
     /// Blocks were taken a clock ago: a volume unit of several clocks takes none then.
     rests: bool,
+    /// What a pop saw that is told now: the oldest lane, pairs without blocks, and for each lane the pairs that wait in its queue and fly.
+    before: (usize, u32, Vec<[u32; 2]>),
 }
 
 impl Around<'_> {
@@ -309,23 +322,30 @@ impl Around<'_> {
         self.counts();
         self.entity.settle();
         self.listed = self.entity.get("take_lane") as usize;
-        // While a queue is full no pair comes into any.
-        let pair_ready = self.lanes.iter().flatten().all(|run| run.queued < params.pair_queue);
+        // While the queue of the oldest query is full no pair comes into any.
+        let pair_ready = self.lanes[self.oldest].as_ref().is_none_or(|run| run.queued < params.pair_queue);
         self.entity.set("pair_ready", pair_ready.into());
         self.entity.settle();
-        if self.entity.is("expanded") {
-            let lane = self.lane("expanded_lane")?;
-            expect(self.run(lane).ended.is_none(), self.clock, "a pair is popped at the end")?;
+        let popped = if self.entity.is("expanded") { Some(self.lane("expanded_lane")?) } else { None };
+        if let Some(lane) = popped {
+            let (oldest, without_blocks, [queued, flying]) = (self.before.0, self.before.1, self.before.2[lane]);
+            // Told a clock later, and popped in the first clock of the end at the latest.
+            let late = self.run(lane).ended.is_some_and(|clocks| clocks > 1);
+            expect(!late, self.clock, "a pair is popped at the end")?;
             let crowd = 8u32.div_ceil(params.expansion_clocks) + 1;
             // Two may be chosen before it is known.
-            let free = lane == self.oldest || self.without_blocks < crowd + 2;
+            let free = lane == oldest || without_blocks < crowd + 2;
             expect(free, self.clock, "a younger query in front of the oldest")?;
-            let flying = self.asked.iter().chain(&self.tested).filter(|flight| flight.lane == lane).count() as u32;
-            let room = lane == self.oldest || self.run(lane).queued + 4 * (flying + 1) < params.pair_queue;
+            let room = lane == oldest || queued + 4 * (flying + 1) < params.pair_queue;
             expect(room, self.clock, "a younger query that may fill its queue")?;
             self.run(lane).found.expansions += 1;
             self.without_blocks += 1;
         }
+        let flying: Vec<usize> = self.asked.iter().chain(&self.tested).map(|flight| flight.lane).collect();
+        let flies = |lane| flying.iter().filter(|&&other| other == lane).count() as u32;
+        let of_lanes = self.lanes.iter().enumerate();
+        let lanes = of_lanes.map(|(lane, run)| [run.as_ref().map_or(0, |run| run.queued), flies(lane)]).collect();
+        self.before = (self.oldest, self.without_blocks, lanes);
         if self.entity.is("request_valid") && ready {
             let lane = self.lane("request_lane")?;
             let blocks = ["request_a", "request_b"].map(|port| self.entity.get(port) as u32);
@@ -360,19 +380,77 @@ impl Around<'_> {
             .map(|lane| ["bad_tree", "limit_reached", "idle"].map(|port| of_lane(port, lane)))
             .collect();
         for (lane, ([bad, limited, idle], run)) in found.into_iter().zip(&mut self.lanes).enumerate() {
-            let Some(run) = run else { continue };
+            let works = popped == Some(lane) || flying.contains(&lane);
+            expect(!(idle && works), self.clock, "idle with a pair in flight")?;
+            let Some(run) = run else {
+                let none = counted.iter().all(|&(count, of)| count == 0 || of != lane);
+                expect(none, self.clock, "counts of what is forgotten")?;
+                continue;
+            };
             let [(tests, of_tests), (survivors, of_survivors)] = counted;
             run.found.tests += if of_tests == lane { tests } else { 0 };
             run.found.survivors += if of_survivors == lane { survivors } else { 0 };
             run.bad |= bad;
             run.limited |= limited;
             run.idle = if idle { run.idle + 1 } else { 0 };
-            // Control has a reason a clock later.
-            run.ended = run.ended.map(|clocks| clocks + 1).or((run.bad || run.limited).then_some(0));
+            // Control finds a reason in one clock and has it in the next.
+            run.ended = run.ended.map(|clocks| clocks + 1).or(run.noticed.then_some(0));
+            run.age += 1;
+            run.noticed = run.bad || run.limited || run.stopped();
         }
         self.entity.clock();
         self.clock += 1;
         Ok(())
+    }
+
+    /// A clock of reset: all is forgotten, and what was popped, taken or answered in the clocks before is not counted any more.
+    fn forget(&mut self) {
+        self.entity.set("reset", 1);
+        self.entity.set("start", 0);
+        let may_take = !self.rests && !self.asked.is_empty();
+        self.entity.set("blocks_taken", u64::from(may_take && seldom(&mut self.rng, 2)));
+        self.entity.set("survive_valid", u64::from(!self.tested.is_empty() && seldom(&mut self.rng, 2)));
+        self.entity.settle();
+        self.entity.clock();
+        self.entity.set("reset", 0);
+        self.clock += 1;
+        self.lanes.fill_with(|| None);
+        self.asked.clear();
+        self.tested.clear();
+        (self.without_blocks, self.rests) = (0, false);
+    }
+
+    /// A clock in which a query may start, the one of this round. Returns whether it does.
+    fn goes_on(&mut self, round: Option<u32>, most: usize) -> Result<bool, String> {
+        let active = self.lanes.iter().flatten().count();
+        let lane = (self.oldest + active) % self.lanes.len();
+        let starts = round.filter(|_| active < most && seldom(&mut self.rng, 20));
+        if let Some(round) = starts {
+            let (query, limit) = query(&mut self.rng, round, self.design.params.tree_height);
+            let run = Run {
+                query,
+                limit,
+                found: Found::default(),
+                queued: 0,
+                ended: None,
+                bad: false,
+                limited: false,
+                age: 0,
+                stop_at: (round % 10 == 4).then(|| self.rng.random_range(1..12)),
+                noticed: false,
+                idle: 0,
+            };
+            self.lanes[lane] = Some(run);
+            self.entity.set("most_expansions", limit.into());
+            self.entity.set("start_lane", lane as u64);
+        }
+        self.entity.set("start", starts.is_some().into());
+        self.step()?;
+        Ok(starts.is_some())
+    }
+
+    fn finishes(&self) -> bool {
+        self.lanes[self.oldest].as_ref().is_some_and(|run| run.idle > 3 && run.queued == 0)
     }
 
     /// What the oldest query came to.
@@ -382,7 +460,12 @@ impl Around<'_> {
         expect(!some_flies, self.clock, "idle with a pair in flight")?;
         let stack = self.entity.get("greatest_stack");
         expect(stack <= self.design.params.stack.into(), self.clock, "the stack overflows")?;
-        let Run { query, limit, mut found, bad, limited, .. } = self.lanes[self.oldest].take().expect("a query");
+        let run = self.lanes[self.oldest].take().expect("a query");
+        self.oldest = (self.oldest + 1) % self.lanes.len();
+        if run.stopped() {
+            return Ok(());
+        }
+        let Run { query, limit, mut found, bad, limited, .. } = run;
         let due = query.found();
         let limits = limit > 0 && due.expansions > u64::from(limit);
         found.pairs.sort_unstable();
@@ -395,7 +478,6 @@ impl Around<'_> {
             expect(!bad && !limited, self.clock, "a reason where there is none")?;
             expect(found == due, self.clock, &format!("other counts or pairs: {found:?}; expected {due:?}"))?;
         }
-        self.oldest = (self.oldest + 1) % self.lanes.len();
         Ok(())
     }
 }
@@ -417,7 +499,7 @@ fn query(rng: &mut ChaCha8Rng, round: u32, deepest: u32) -> (Query, u32) {
     // In some everything overlaps, too.
     let query = Query { trees, seed: (!chains && round % 10 != 5).then(|| rng.random()), deepest };
     let expansions = query.found().expansions as u32;
-    let limit = if round % 3 == 2 { rng.random_range(1..=1 + expansions) } else { 0 };
+    let limit = if matches!(round % 4, 1 | 2) { rng.random_range(1..=1 + expansions) } else { 0 };
     (query, limit)
 }
 
@@ -428,7 +510,7 @@ fn traverse(entity: &mut Entity, design: EngineDesign, most: usize) -> Outcome {
     entity.reset();
     let mut around = Around {
         entity,
-        rng: random(14),
+        rng: random(15),
         design,
         clock: 0,
         lanes: (0..lanes).map(|_| None).collect(),
@@ -438,28 +520,32 @@ fn traverse(entity: &mut Entity, design: EngineDesign, most: usize) -> Outcome {
         without_blocks: 0,
         listed: 0,
         rests: false,
+        before: (0, 0, vec![[0; 2]; lanes]),
     };
     let rounds = if full() { 160 } else { 60 };
     let (mut round, mut finished) = (0, 0);
     while round < rounds || around.lanes.iter().any(Option::is_some) {
         expect(around.clock < finished + 20_000, around.clock, "never idle")?;
-        let active = around.lanes.iter().flatten().count();
-        let lane = (around.oldest + active) % lanes;
-        let starts = round < rounds && active < most && seldom(&mut around.rng, 20);
-        if starts {
-            let (query, limit) = query(&mut around.rng, round, around.design.params.tree_height);
-            let found = Found::default();
-            let run = Run { query, limit, found, queued: 0, ended: None, bad: false, limited: false, idle: 0 };
-            around.lanes[lane] = Some(run);
-            around.entity.set("most_expansions", limit.into());
-            around.entity.set("start_lane", lane as u64);
-            round += 1;
-        }
-        around.entity.set("start", starts.into());
-        around.step()?;
-        if around.lanes[around.oldest].as_ref().is_some_and(|run| run.idle > 3 && run.queued == 0) {
+        let due = (round < rounds).then_some(round);
+        round += u32::from(around.goes_on(due, most)?);
+        if around.finishes() {
             around.finish()?;
             finished = around.clock;
+        }
+    }
+    // Then all is forgotten over and over.
+    for clock in 0..if full() { 6000 } else { 2000 } {
+        let busy = !(around.asked.is_empty() && around.tested.is_empty());
+        if busy && seldom(&mut around.rng, 50) {
+            around.forget();
+            // As soon as control could start one again.
+            for _ in 0..4 {
+                around.goes_on(None, most)?;
+            }
+        }
+        around.goes_on(Some(clock), most)?;
+        if around.finishes() {
+            around.finish()?;
         }
     }
     Ok(())
@@ -499,6 +585,14 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("leaf_lane <= next_leaf_lane;", "leaf_lane <= met_lane;"),
         ("told_lane <= there_lane;", "told_lane <= listed_lane;"),
         ("(bad_a or bad_b) = '1' and told_lane = lane", "(bad_a or bad_b) = '1' and there_lane = lane"),
+        // Behind a reset counts go on.
+        ("expanded <= popped and not reset;", "expanded <= popped;"),
+        ("        there_a <= \"00\";\n        there_b <= \"00\";\n        tested", "        tested"),
+        ("        tested <= \"000\";", ""),
+        ("if (met and not reset) = '1' then", "if met = '1' then"),
+        // At the end pairs are popped, or it comes in front of one that flies.
+        ("lives <= chosen and not ended;", "lives <= chosen;"),
+        ("(ending and ended) or not", "ending or not"),
         // Right behind a pop: an entry that there is not, and an expansion more than the limit.
         ("lives and many and", "lives and filled and"),
         ("many and not few_left and", "many and"),

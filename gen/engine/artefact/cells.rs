@@ -233,7 +233,7 @@ impl Sheet<'_> {
     fn answer(&self) -> Entity {
         let (lanes, lane_bits) = (self.design.params.queries, self.design.params.lane_bits());
         let flip_flops =
-            210 + 2 * lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
+            210 + lanes + 2 * lane_bits + 2 * u32::from(self.values.unit.guarded) + 12 * 32 + (lanes + 1) * 5 * 32;
         let luts = self.of([857, 1012, 795]) + lanes * self.of([40, 130, 4]);
         // Each bit of a count is chosen among more lanes than a table has inputs for.
         let luts = luts + u32::from(lanes > 4) * 5 * 32 * self.of([2, 0, 2]);
@@ -256,7 +256,7 @@ impl Sheet<'_> {
     fn control(&self) -> Entity {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
-        let flip_flops = lanes * (5 + 11) + 4 * lane_bits + 11 + 6 * axi;
+        let flip_flops = lanes * (5 + 15) + 4 * lane_bits + 11 + 6 * axi;
         let luts = self.of([14, 150, 27]) + lanes * self.of([75, 80, 55]) + self.chosen(5);
         self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.check(), self.stop()])
     }
@@ -297,10 +297,11 @@ impl Sheet<'_> {
         )
     }
 
-    /// Registers of the lanes that end.
+    /// Registers of the lanes that end, and of the pair that is popped.
     fn traverse(&self) -> Entity {
         let parts = vec![self.issue(), self.flight(), self.survivors()];
-        self.entity("engine_traverse", self.design.params.queries, &[], &[], 0).holding(parts)
+        self.entity("engine_traverse", self.design.params.queries + self.design.params.lane_bits() + 1, &[], &[], 0)
+            .holding(parts)
     }
 
     /// Room of both kinds, pairs in flight and expansions that are left.
@@ -387,7 +388,7 @@ impl Sheet<'_> {
     fn pairs(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, place, open) = (params.queries, t.pair_bits, t.open_bits);
-        let flip_flops = lanes * (3 * place + open + 10) + 3 * params.lane_bits() + 2 * open + 8 + 2 * PAIR_BITS;
+        let flip_flops = lanes * (3 * place + open + 10) + 3 * params.lane_bits() + 2 * open + 9 + 2 * PAIR_BITS;
         let luts = self.of([2, 63, 17])
             + lanes * (place + 2 * open + self.of([37, 30, 29]))
             + 5 * open
