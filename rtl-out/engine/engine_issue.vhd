@@ -5,8 +5,8 @@
 -- Which pair of nodes is opened next: of the lanes that may pop that of the oldest query, if less than 16 pairs of all lanes fly. Its two
 -- blocks are asked for.
 --
--- A lane is chosen in one clock and its pair popped in a later one. How many fly is looked at when it is chosen: an answer in between
--- may make two records of one pair, each of which has its place.
+-- A lane is chosen in one clock and its pair popped in a later one, and counted as flying in the one behind that. How many fly is looked
+-- at when a lane is chosen: an answer in between may make two records of one pair, each of which has its place.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -28,6 +28,8 @@ entity engine_issue is
     popped : out std_logic;
     popped_lane : out unsigned(lane_bits - 1 downto 0);
     popped_entry : out std_logic_vector(entry_bits - 1 downto 0);
+    expanded : out std_logic;  -- a pair was popped a clock ago
+    expanded_lane : out std_logic_vector(lane_bits - 1 downto 0);
     request_valid : out std_logic;
     request_ready : in std_logic;
     request_lane : out std_logic_vector(lane_bits - 1 downto 0);
@@ -86,8 +88,10 @@ architecture rtl of engine_issue is
   signal greatest : stack_counts;
   signal flying : unsigned(flight_bits + 1 downto 0) := (others => '0');  -- of all lanes
   signal all_fly : std_logic := '0';  -- flying >= in_flight
-  signal nearly_all_fly : std_logic := '0';  -- but for one
-  signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit; that they are taken is counted a clock later
+  signal all_but_one_fly : std_logic := '0';
+  signal all_but_two_fly : std_logic := '0';
+  signal popped_one : std_logic := '0';  -- a clock ago: flying does not have it yet
+  signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit; both are counted a clock later
   signal took_blocks : std_logic := '0';
   signal crowded : std_logic := '0';  -- so many that a younger query waits
   -- So many records of all lanes more than a clock before, a pair in flight as one; counted a clock later.
@@ -173,14 +177,16 @@ begin
   popped_lane <= chosen_lane;
   popped_entry <= chosen_entry;
   request_valid <= issued;
+  expanded <= popped_one;
+  expanded_lane <= std_logic_vector(issued_lane);
   request_lane <= std_logic_vector(issued_lane);
   request_a <= issued_entry(entry_node_a);
   request_b <= issued_entry(entry_node_b);
-  waiting <= '0' when flying = 0 else '1';
+  waiting <= popped_one when flying = 0 else '1';
 
   issue : process (clk)
     variable more : integer range -3 to 1;
-    variable steady : unsigned(flight_bits + 1 downto 0);  -- pairs in flight and records but for a pop
+    variable now_flying : unsigned(flight_bits + 1 downto 0);  -- pairs in flight and records
   begin
     if rising_edge(clk) then
       first_lane <= unsigned(oldest);
@@ -205,11 +211,16 @@ begin
         more := 0;
       end if;
       records <= to_signed(more, 3);
-      steady := unsigned(signed(flying) + records);
+      now_flying := unsigned(signed(flying) + records);
+      if popped_one = '1' then
+        now_flying := unsigned(signed(flying) + (records + 1));
+      end if;
       if reset = '1' then
         flying <= (others => '0');
         all_fly <= '0';
-        nearly_all_fly <= '0';
+        all_but_one_fly <= '0';
+        all_but_two_fly <= '0';
+        popped_one <= '0';
         without_blocks <= (others => '0');
         crowded <= '0';
         took_blocks <= '0';
@@ -224,39 +235,35 @@ begin
         if (issue_free or not some_chosen) = '1' then
           chosen <= choice;
           chosen_lane <= unsigned(choice_lane);
-          -- With the one that is chosen all would fly.
-          if all_fly = '1' or (some_chosen and nearly_all_fly) = '1' then
+          -- With the one that is chosen, and the one that was popped, all would fly.
+          if all_fly = '1' or ((some_chosen or popped_one) and all_but_one_fly) = '1'
+            or (some_chosen and popped_one and all_but_two_fly) = '1' then
             chosen <= nobody;
           end if;
         else
           chosen <= chosen and not ended;
         end if;
+        flying <= now_flying;
         all_fly <= '0';
-        nearly_all_fly <= '0';
-        if pop = '1' then
-          flying <= steady + 1;
-          if steady >= in_flight - 1 then
-            all_fly <= '1';
-          end if;
-          if steady + 2 >= in_flight then
-            nearly_all_fly <= '1';
-          end if;
-        else
-          flying <= steady;
-          if steady >= in_flight then
-            all_fly <= '1';
-          end if;
-          if steady + 1 >= in_flight then
-            nearly_all_fly <= '1';
-          end if;
+        if now_flying >= in_flight then
+          all_fly <= '1';
         end if;
+        all_but_one_fly <= '0';
+        if now_flying + 1 >= in_flight then
+          all_but_one_fly <= '1';
+        end if;
+        all_but_two_fly <= '0';
+        if now_flying + 2 >= in_flight then
+          all_but_two_fly <= '1';
+        end if;
+        popped_one <= pop;
         took_blocks <= blocks_taken;
-        if pop = '1' and took_blocks = '0' then
+        if popped_one = '1' and took_blocks = '0' then
           without_blocks <= without_blocks + 1;
           if without_blocks >= crowd - 1 then
             crowded <= '1';
           end if;
-        elsif pop = '0' and took_blocks = '1' then
+        elsif popped_one = '0' and took_blocks = '1' then
           without_blocks <= without_blocks - 1;
           if without_blocks <= crowd then
             crowded <= '0';

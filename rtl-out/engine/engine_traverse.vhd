@@ -53,8 +53,8 @@ entity engine_traverse is
     waiting : out std_logic;  -- something is in flight
     bad_tree : out std_logic_vector(lanes - 1 downto 0);
     limit_reached : out std_logic_vector(lanes - 1 downto 0);
-    expanded : out std_logic := '0';  -- a clock ago
-    expanded_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
+    expanded : out std_logic;  -- a clock ago
+    expanded_lane : out std_logic_vector(lane_bits - 1 downto 0);
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
     tested_lane : out std_logic_vector(lane_bits - 1 downto 0);
     survived : out std_logic_vector(2 downto 0);  -- so many more
@@ -89,8 +89,6 @@ begin
   begin
     if rising_edge(clk) then
       ended <= ending;
-      expanded <= popped and not reset;
-      expanded_lane <= std_logic_vector(popped_lane);
     end if;
   end process delay;
 
@@ -107,6 +105,8 @@ begin
       popped => popped,
       popped_lane => popped_lane,
       popped_entry => popped_entry,
+      expanded => expanded,
+      expanded_lane => expanded_lane,
       request_valid => request_valid,
       request_ready => request_ready,
       request_lane => request_lane,

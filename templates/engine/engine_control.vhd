@@ -51,7 +51,7 @@ entity {{ prefix }}engine_control is
     posed : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a pose for the triangle unit
     started : out std_logic_vector(lanes - 1 downto 0);
     ending : out std_logic_vector(lanes - 1 downto 0);  -- no query runs there, or it has a reason to end
-    dropping : out std_logic;  -- the oldest query has a reason to end: its pairs are dropped
+    dropping : out std_logic;  -- the oldest query had a reason to end a clock ago: its pairs are dropped
     start : out std_logic;  -- one clock long
     start_lane : out std_logic_vector(lane_bits - 1 downto 0);
     most_expansions : out std_logic_vector(31 downto 0);  -- of the query that starts
@@ -115,7 +115,7 @@ architecture rtl of {{ prefix }}engine_control is
   signal running_now : std_logic := '0';
   signal busy_now : std_logic := '0';  -- a query or another job is taken, or one is about to be
   signal ending_now : flags := (others => '1');
-  signal drops : flags := (others => '0');  -- a query runs there, and has a reason to end
+  signal drops : flags := (others => '0');  -- a clock ago a query ran there, and had a reason to end
 
   -- Jobs and what admits a query.
   type phase_state is (waiting_state, take_state, check_state{% if e.axi %}, flush_state{% endif %});
@@ -459,7 +459,7 @@ begin
       end if;
       for lane in 0 to lanes - 1 loop
         ending_now(lane) <= not (now_started(lane) and now_sound(lane));
-        drops(lane) <= now_started(lane) and not now_sound(lane);
+        drops(lane) <= started_now(lane) and not sound(lane);
       end loop;
 
       if (reset or forget) = '1' then

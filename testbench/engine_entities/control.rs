@@ -131,6 +131,8 @@ struct Control<'a> {
     draining: bool,
     reporting: bool,
     aborting: bool,
+    /// Lanes with a query that had a reason to end a clock ago.
+    dropped: u64,
     /// When pairs of packets were last in the unit, and when the last report was.
     unit_busy: usize,
     reported: usize,
@@ -328,7 +330,8 @@ impl Control<'_> {
         ] {
             self.expect(self.entity.get(port) == due, port)?;
         }
-        let dropping = self.lanes.front().is_some_and(|lane| lane.started && lane.reason.is_some());
+        let drops = self.flags(|lane| lane.started && lane.reason.is_some(), false);
+        let dropping = std::mem::replace(&mut self.dropped, drops) >> self.oldest & 1 == 1;
         self.expect(self.entity.is("dropping") == dropping, "dropping")?;
         let busy = !self.lanes.is_empty();
         self.expect(self.entity.is("busy") || !busy, "busy")?;
@@ -454,7 +457,7 @@ impl Control<'_> {
         let (admitted, started, stopped, idle) = (true, false, false, false);
         self.lanes = [Lane { job, admitted, started, reason: Some(reason), found: None, stopped, idle }].into();
         (self.job, self.stopped, self.known, self.flushing, self.error) = (None, false, None, None, None);
-        (self.draining, self.reporting, self.aborting) = (false, false, false);
+        (self.draining, self.reporting, self.aborting, self.dropped) = (false, false, false, 0);
         (self.found, self.reads_before, self.error_before) = Default::default();
         self.idle_before = 0;
         Ok(())
@@ -482,6 +485,7 @@ fn control(entity: &mut Entity) -> Outcome {
         draining: false,
         reporting: false,
         aborting: false,
+        dropped: 0,
         unit_busy: 0,
         reported: 0,
         reports: 0,

@@ -141,7 +141,10 @@ pub fn axis_shift(setting: &Setting) -> Claim {
         claim.shown(format!("(l_{c}_lo <<< {n}) <= {truth} && {truth} <= (l_{c}_hi <<< {n})"));
         claim.shown(format!("-{most} <= l_{c}_lo && l_{c}_hi <= {most}"));
     }
-    claim.mutant(NoUlp, "l_hi_sum(i)|l_hi(i)|l(i).hi").mutant(NoUlp, "rounded(i).hi").mutant(NotMissing, "zero2");
+    claim
+        .mutant(NoUlp, "l_hi_sum(i)|l_hi(i)|l(i).hi")
+        .mutant(NoUlp, "rounded(i).hi")
+        .mutant(NotMissing, "zero2|zero(2)");
     claim.mutant(WrongArm, "shifted1(i).lo").mutant(WrongSlice, "kept(i).lo").mutant(OtherBound, "kept(i).hi");
     claim
 }

@@ -297,11 +297,10 @@ impl Sheet<'_> {
         )
     }
 
-    /// Registers of the lanes that end, and of the pair that is popped.
+    /// Registers of the lanes that end.
     fn traverse(&self) -> Entity {
         let parts = vec![self.issue(), self.flight(), self.survivors()];
-        self.entity("engine_traverse", self.design.params.queries + self.design.params.lane_bits() + 1, &[], &[], 0)
-            .holding(parts)
+        self.entity("engine_traverse", self.design.params.queries, &[], &[], 0).holding(parts)
     }
 
     /// Room of both kinds, pairs in flight and expansions that are left.
@@ -318,7 +317,7 @@ impl Sheet<'_> {
     fn issue(&self) -> Entity {
         let (params, t) = (&self.design.params, &self.values.traversal);
         let (lanes, lane, flight) = (params.queries, params.lane_bits(), t.flight_bits);
-        let flip_flops = lanes + 2 * params.block_number_bits + 3 * lane + 11 + 2 * flight + 16;
+        let flip_flops = lanes + 2 * params.block_number_bits + 3 * lane + 13 + 2 * flight + 16;
         let chains = [(1, 32), (4, flight + 2)];
         let bits = t.entry_bits + 16;
         // The top of a stack is chosen among more lanes than a table has inputs for.
