@@ -540,6 +540,9 @@ fn jobs_are_checked_and_run_and_reported() {
         ),
         ("numbers(lane) <= forget_number;", "numbers(lane) <= job_number;"),
         ("stored <= '1';", "stored <= '0';"),
+        // Pairs are dropped too long, or of a query that has not begun.
+        ("        drops <= no_lane;\n", ""),
+        ("drops(lane) <= started_now(lane) and not sound(lane);", "drops(lane) <= not sound(lane);"),
         // A stop for a query that was taken a clock ago is for the one before it in its lane.
         ("if moved(lane) = '1' then", "if false then"),
         // Behind a soft reset, the flag of the next job is another one than its lane.
