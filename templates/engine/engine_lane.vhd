@@ -10,9 +10,9 @@
 -- at most 3 ({{ e.traversal.levels }} - l) + 1 entries above what lay below it, and entries of level {{ e.traversal.levels }} push nothing:
 -- used <= {{ e.traversal.wide }} + 3 x {{ e.traversal.levels }} + 1 = {{ e.traversal.stack }} at all times.
 --
--- The oldest query comes first. While its queue of leaf pairs is full, but for one place at most, no pair comes into any. A younger query does not fill its own: it
--- is popped only if queued + 4 (flying + 1) < {{ e.traversal.pairs }}. And it pops only while few pairs wait for their blocks, so that those of the
--- oldest do not wait behind many.
+-- The oldest query comes first. While its queue of leaf pairs is full, but for one place at most, no pair comes into any. A younger
+-- query does not fill its own: it is popped only if queued + 4 (flying + 1) < {{ e.traversal.pairs }}. And it pops only while few pairs wait for their
+-- blocks, so that those of the oldest do not wait behind many.
 --
 -- The lane is chosen in one clock (engine_issue) and its pair popped in a later one, and what frees room is counted a clock late or
 -- two. Meanwhile used + 4 flying, as queued + 4 flying, is at most 3 more than it was counted, while a record has sent three of its

@@ -450,12 +450,11 @@ impl Around<'_> {
         Ok(starts.is_some())
     }
 
-    fn finishes(&self) -> bool {
-        self.lanes[self.oldest].as_ref().is_some_and(|run| run.idle > 3 && run.queued == 0)
-    }
-
-    /// What the oldest query came to.
-    fn finish(&mut self) -> Outcome {
+    /// What the oldest query came to, if it is done. Returns whether it is.
+    fn finish(&mut self) -> Result<bool, String> {
+        if self.lanes[self.oldest].as_ref().is_none_or(|run| run.idle <= 3 || run.queued > 0) {
+            return Ok(false);
+        }
         let flies = |flight: &Flight| flight.lane == self.oldest;
         let some_flies = self.asked.iter().any(flies) || self.tested.iter().any(flies);
         expect(!some_flies, self.clock, "idle with a pair in flight")?;
@@ -464,7 +463,7 @@ impl Around<'_> {
         let run = self.lanes[self.oldest].take().expect("a query");
         self.oldest = (self.oldest + 1) % self.lanes.len();
         if run.stopped() {
-            return Ok(());
+            return Ok(true);
         }
         let Run { query, limit, mut found, bad, limited, .. } = run;
         let due = query.found();
@@ -479,7 +478,7 @@ impl Around<'_> {
             expect(!bad && !limited, self.clock, "a reason where there is none")?;
             expect(found == due, self.clock, &format!("other counts or pairs: {found:?}; expected {due:?}"))?;
         }
-        Ok(())
+        Ok(true)
     }
 }
 
@@ -529,8 +528,7 @@ fn traverse(entity: &mut Entity, design: EngineDesign, most: usize) -> Outcome {
         expect(around.clock < finished + 20_000, around.clock, "never idle")?;
         let due = (round < rounds).then_some(round);
         round += u32::from(around.goes_on(due, most)?);
-        if around.finishes() {
-            around.finish()?;
+        if around.finish()? {
             finished = around.clock;
         }
     }
@@ -545,9 +543,7 @@ fn traverse(entity: &mut Entity, design: EngineDesign, most: usize) -> Outcome {
             }
         }
         around.goes_on(Some(clock), most)?;
-        if around.finishes() {
-            around.finish()?;
-        }
+        around.finish()?;
     }
     Ok(())
 }
