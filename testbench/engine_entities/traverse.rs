@@ -185,6 +185,8 @@ struct Flight {
 struct Run {
     query: Query,
     limit: u32,
+    /// What a recursion comes to, and what came until now.
+    due: Found,
     found: Found,
     /// Leaf pairs in the queue of the lane.
     queued: u32,
@@ -305,8 +307,8 @@ impl Around<'_> {
         let ending: u64 = (0..).zip(&self.lanes).map(|(lane, run)| u64::from(ends(run)) << lane).sum();
         self.entity.set("ending", ending);
         self.entity.set("oldest", self.oldest as u64);
-        // Pairs of the oldest query alone leave their queue, or are dropped there. Their queue is full for a while, and then empty.
-        let rate = if (self.clock / 64).is_multiple_of(4) { 1 } else { 6 };
+        // Pairs of the oldest query alone leave their queue, or are dropped there. Their queue is empty for a while, and then full.
+        let rate = [1, 6, 40, 6][self.clock / 64 % 4];
         let mut left = 0;
         for (lane, run) in self.lanes.iter_mut().enumerate() {
             let Some(run) = run else { continue };
@@ -366,10 +368,13 @@ impl Around<'_> {
             if pair_ready {
                 let pair = ["pair_a", "pair_b"].map(|port| self.entity.get(port));
                 let run = self.run(lane);
+                // Looked at when it comes: few queries come to their end undisturbed.
+                let own = run.due.pairs.contains(&pair);
                 let late = run.ended.is_some_and(|clocks| clocks > 0);
                 run.queued += 1;
                 run.found.pairs.push(pair);
                 let filled = run.queued >= params.pair_queue;
+                expect(own, self.clock, "a pair of leaves of another query")?;
                 expect(!late, self.clock, "a pair of leaves at the end")?;
                 expect(!filled || lane == self.oldest, self.clock, "a younger query fills its queue")?;
             }
@@ -427,10 +432,11 @@ impl Around<'_> {
         let lane = (self.oldest + active) % self.lanes.len();
         let starts = round.filter(|_| active < most && seldom(&mut self.rng, 20));
         if let Some(round) = starts {
-            let (query, limit) = query(&mut self.rng, round, self.design.params.tree_height);
+            let (query, due, limit) = query(&mut self.rng, round, self.design.params.tree_height);
             let run = Run {
                 query,
                 limit,
+                due,
                 found: Found::default(),
                 queued: 0,
                 ended: None,
@@ -465,8 +471,7 @@ impl Around<'_> {
         if run.stopped() {
             return Ok(true);
         }
-        let Run { query, limit, mut found, bad, limited, .. } = run;
-        let due = query.found();
+        let Run { limit, due, mut found, bad, limited, .. } = run;
         let limits = limit > 0 && due.expansions > u64::from(limit);
         found.pairs.sort_unstable();
         if due.wrong > 0 {
@@ -482,7 +487,8 @@ impl Around<'_> {
     }
 }
 
-fn query(rng: &mut ChaCha8Rng, round: u32, deepest: u32) -> (Query, u32) {
+/// A query, what it comes to, and how many expansions it may take.
+fn query(rng: &mut ChaCha8Rng, round: u32, deepest: u32) -> (Query, Found, u32) {
     let height = 1 + round % 5;
     let mut trees = [Tree::new(rng, height), Tree::new(rng, 5)];
     // Deeper together than an entry of the stack may be.
@@ -498,9 +504,9 @@ fn query(rng: &mut ChaCha8Rng, round: u32, deepest: u32) -> (Query, u32) {
     }
     // In some everything overlaps, too.
     let query = Query { trees, seed: (!chains && round % 10 != 5).then(|| rng.random()), deepest };
-    let expansions = query.found().expansions as u32;
-    let limit = if matches!(round % 4, 1 | 2) { rng.random_range(1..=1 + expansions) } else { 0 };
-    (query, limit)
+    let found = query.found();
+    let limit = if matches!(round % 4, 1 | 2) { rng.random_range(1..=1 + found.expansions as u32) } else { 0 };
+    (query, found, limit)
 }
 
 /// So many queries in flight at most.
