@@ -95,9 +95,10 @@ architecture rtl of engine_command is
   signal whole : std_logic;
   signal taken : std_logic;
 
-  type expectation_state is (header_state, query_state, pose_state, pair_state, skip_state);
-  signal expectation : expectation_state := header_state;
-  signal at_header : std_logic := '1';  -- it is that
+  signal at_header : std_logic := '1';  -- the next word is a header
+  -- Behind it: what the word belongs to, or that it is left out.
+  type expectation_state is (query_state, pose_state, pair_state, skip_state);
+  signal expectation : expectation_state := skip_state;
   -- Behind its header a pair begins here, to end where a pose does.
   constant pair_place : unsigned(5 downto 0) := to_unsigned(row_word - pair_words, 6);
   signal place : unsigned(5 downto 0) := "000000";  -- of the word in its packet, if that is a query; records of pairs and poses end where a query's pose does
@@ -290,34 +291,30 @@ begin
         at_header <= head_last;  -- behind a header alone there is none
         found := fault;
         answer_short := short;
-        if expectation = header_state then
+        if at_header = '1' then
           answer_short := head_kind(is_short);
           short <= head_kind(is_short);
           gathers <= head_kind(is_query) or head_kind(is_pose) or head_kind(is_pairs);
+          -- Alone, the header of a packet that has words.
+          found := too_short;
+          if head_last = '0' then
+            found := fine;
+          end if;
           if head_kind(is_query) = '1' then
             next_expectation := query_state;
-            if head_last = '1' then
-              found := too_short;
-            end if;
           elsif head_kind(is_pose) = '1' then
             next_expectation := pose_state;
-            if head_last = '1' then
-              found := too_short;
-            end if;
           elsif head_kind(is_pairs) = '1' then
             next_expectation := pair_state;
-            if head_last = '1' then
-              found := too_short;
-            end if;
-          elsif head_kind(is_stop) = '1' then
-            stop <= '1';
-          elsif head_kind(is_long_stop) = '1' then
-            found := too_long;
-          elsif head_kind(is_reset) = '0' then
-            found := unknown;
-          end if;
-          if found /= fine then
+          elsif head_kind(is_stop) = '1' or head_kind(is_reset) = '1' then
+            found := fine;
+            stop <= head_kind(is_stop);
+          else
             next_expectation := skip_state;
+            found := unknown;
+            if head_kind(is_long_stop) = '1' then
+              found := too_long;
+            end if;
           end if;
         elsif expectation = query_state then
           if fault = fine then
@@ -359,7 +356,7 @@ begin
         end if;
         fault <= found;
         if head_last = '1' then
-          next_expectation := header_state;
+          next_expectation := skip_state;
           fault <= fine;
           gathers <= '0';
           closing <= '1';
@@ -388,10 +385,7 @@ begin
       end if;
       -- What is forgotten by reset and by both kinds of soft reset. That of the port drops the rest of a packet, too.
       if clears = '1' then
-        next_expectation := header_state;
-        if (soft_reset and stays_within and not reset) = '1' then
-          next_expectation := skip_state;
-        end if;
+        next_expectation := skip_state;
         pending <= '0';
         closing <= '0';
         goes <= '0';

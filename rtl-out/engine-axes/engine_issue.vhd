@@ -89,7 +89,6 @@ architecture rtl of engine_issue is
   signal flying : unsigned(flight_bits + 1 downto 0) := (others => '0');  -- of all lanes
   signal all_fly : std_logic := '0';  -- flying >= in_flight
   signal all_but_one_fly : std_logic := '0';
-  signal all_but_two_fly : std_logic := '0';
   signal popped_one : std_logic := '0';  -- a clock ago: flying does not have it yet
   signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit; both are counted a clock later
   signal took_blocks : std_logic := '0';
@@ -219,7 +218,6 @@ begin
         flying <= (others => '0');
         all_fly <= '0';
         all_but_one_fly <= '0';
-        all_but_two_fly <= '0';
         popped_one <= '0';
         without_blocks <= (others => '0');
         crowded <= '0';
@@ -236,8 +234,7 @@ begin
           chosen <= choice;
           chosen_lane <= unsigned(choice_lane);
           -- With the one that is chosen, and the one that was popped, all would fly.
-          if all_fly = '1' or ((some_chosen or popped_one) and all_but_one_fly) = '1'
-            or (some_chosen and popped_one and all_but_two_fly) = '1' then
+          if all_fly = '1' or ((some_chosen or popped_one) and all_but_one_fly) = '1' then
             chosen <= nobody;
           end if;
         else
@@ -251,10 +248,6 @@ begin
         all_but_one_fly <= '0';
         if now_flying + 1 >= in_flight then
           all_but_one_fly <= '1';
-        end if;
-        all_but_two_fly <= '0';
-        if now_flying + 2 >= in_flight then
-          all_but_two_fly <= '1';
         end if;
         popped_one <= pop;
         took_blocks <= blocks_taken;

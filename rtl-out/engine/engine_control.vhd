@@ -41,7 +41,7 @@ entity engine_control is
     checked_lane : out std_logic_vector(lane_bits - 1 downto 0);
     checked : in std_logic_vector(head_bits - 1 downto 0);
     -- The queries in flight.
-    busy : out std_logic;  -- there is one, or a report, or a job is being taken
+    busy : out std_logic;  -- a clock ago there was one, or a report, or a job was being taken
     running : out std_logic;  -- there is one, or the report of another job
     oldest : out std_logic_vector(lane_bits - 1 downto 0);
     oldest_flags : out std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
@@ -104,12 +104,12 @@ architecture rtl of engine_control is
   signal not_reported : flags;  -- lanes with a query that is not reported yet
   -- What follows from these, each in a register of its own, because it is read in many places.
   signal running_now : std_logic := '0';
-  signal busy_now : std_logic := '0';  -- a query or another job is taken, or one is about to be
+  signal busy_now : std_logic := '0';  -- a clock ago there was a query or another job, or one was being taken
   signal ending_now : flags := (others => '1');
   signal drops : flags := (others => '0');  -- a clock ago a query ran there, and had a reason to end
 
   -- Jobs and what admits a query.
-  type phase_state is (waiting_state, take_state, check_state, flush_state);
+  type phase_state is (waiting_state, take_state, check_state, flush_state, admit_state);
   signal phase : phase_state := waiting_state;
   signal taken : std_logic := '0';
   -- The same in a register of its own, because hundreds of cells are written by it. Another first value keeps tools from making one of
@@ -120,6 +120,9 @@ architecture rtl of engine_control is
   signal job_due : std_logic;
   signal admits : std_logic;  -- a query is to be checked
   signal checks : unsigned(1 downto 0) := "00";
+  -- What the check came to, a clock before its query is admitted.
+  signal starts : std_logic := '0';
+  signal refused : std_logic_vector(4 downto 0) := fine;  -- why it does not start
   signal started_pulse : std_logic := '0';
   signal started_lane : lane_number := (others => '0');
   signal load_check : std_logic;
@@ -232,8 +235,6 @@ begin
     variable next_phase : phase_state;
     variable next_oldest : lane_number;
     variable next_is_oldest : flags;
-    variable now_admitted : boolean;  -- the query that is checked
-    variable refused : std_logic_vector(4 downto 0);  -- why it does not start, or fine
     variable now_occupied : flags;
     variable now_started : flags;
     variable now_reasons : lane_reasons;
@@ -244,8 +245,6 @@ begin
       next_phase := phase;
       next_oldest := oldest_lane;
       next_is_oldest := is_oldest;
-      now_admitted := false;
-      refused := fine;
       now_occupied := occupied;
       now_started := started_now;
       now_reasons := reasons;
@@ -294,49 +293,49 @@ begin
         end if;
       elsif phase = check_state then
         checks <= checks + 1;
+        starts <= '0';
         if checks = "11" then
+          next_phase := admit_state;
           if outside /= "0000" then
-            refused := reason_memory;
-            now_admitted := true;
+            refused <= reason_memory;
             known <= '0';
           elsif empty = '1' then
-            refused := reason_bad_tree;
-            now_admitted := true;
+            refused <= reason_bad_tree;
             known <= '0';
           elsif moved /= no_place then
             -- Not before the queries that read what is in the caches are done.
             checks <= checks;
+            next_phase := check_state;
             if admitted_lane = oldest_lane then
               flush_now <= '1';
               next_phase := flush_state;
             end if;
           else
-            now_admitted := true;
+            starts <= '1';
           end if;
         end if;
-      else
+      elsif phase = flush_state then
         known <= '1';
+        refused <= reason_silent;
         -- The caches say that they are at it from the clock after flush on.
         if memory_draining = '1' then
           if memory_silent = '1' then
             known <= '0';
-            refused := reason_silent;
-            now_admitted := true;
+            next_phase := admit_state;
           end if;
         elsif flush_now = '0' and flushing = '0' then
-          now_admitted := true;
+          starts <= '1';
+          next_phase := admit_state;
         end if;
-      end if;
-      if now_admitted then
+      else
         next_phase := waiting_state;
         admitted_lane <= admitted_lane + 1;
+        started_pulse <= starts;
         for lane in 0 to lanes - 1 loop
           if admitted_lane = lane then
             admitted(lane) <= '1';
-            if refused = fine then
-              now_started(lane) := '1';
-              started_pulse <= '1';
-            else
+            now_started(lane) := starts;
+            if starts = '0' then
               now_reasons(lane) := refused;
               now_sound(lane) := '0';
             end if;
@@ -393,12 +392,7 @@ begin
             now_started(lane) := '0';
             now_reasons(lane) := fine;
             now_sound(lane) := '1';
-          end if;
-        end loop;
-        admitted_lane <= oldest_lane + 1;
-      elsif fails = '1' then
-        for lane in 0 to lanes - 1 loop
-          if is_oldest(lane) = '1' and sound(lane) = '1' then
+          elsif sound(lane) = '1' then
             now_sound(lane) := '0';
             now_reasons(lane) := reason_silent;
             if error_before = '1' then
@@ -406,7 +400,8 @@ begin
             end if;
           end if;
         end loop;
-      elsif done = '1' then
+        admitted_lane <= oldest_lane + 1;
+      elsif done = '1' and fails = '0' then
         now_reporting := '1';
       end if;
 
@@ -415,8 +410,9 @@ begin
       if now_occupied /= no_lane then
         running_now <= '1';
       end if;
+      -- Not later than the job that is taken stops to wait.
       busy_now <= '0';
-      if now_occupied /= no_lane or next_phase /= waiting_state then
+      if occupied /= no_lane or phase /= waiting_state then
         busy_now <= '1';
       end if;
       for lane in 0 to lanes - 1 loop

@@ -90,6 +90,11 @@ architecture rtl of {{ prefix }}engine_answer is
   signal next_valid : std_logic := '0';
   signal next_lane : std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
   signal coming_lane : std_logic_vector(lane_bits - 1 downto 0);  -- of the pair that is held first in the next clock
+  -- It is of the oldest query: compared before it is known which one it is.
+  signal coming_due : std_logic;
+  signal stays_due : std_logic;
+  signal next_due : std_logic;
+  signal decided_due : std_logic;
   signal next_verdict : std_logic_vector(1 downto 0) := separate;
   signal next_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal next_last : std_logic := '0';
@@ -159,6 +164,10 @@ begin
   taken <= due and (free or not speaks);
   moves <= taken or not head_valid;
   coming_lane <= head_lane when moves = '0' else next_lane when next_valid = '1' else decided_lane;
+  stays_due <= '1' when head_lane = oldest else '0';
+  next_due <= '1' when next_lane = oldest else '0';
+  decided_due <= '1' when decided_lane = oldest else '0';
+  coming_due <= stays_due when moves = '0' else next_due when next_valid = '1' else decided_due;
   counts <= taken and not drops and not contact_now;
   meets <= counts and one_contact when head_verdict = certain else '0';
   contact <= contact_now;
@@ -166,10 +175,7 @@ begin
   hold : process (clk)
   begin
     if rising_edge(clk) then
-      head_due <= not running;
-      if coming_lane = oldest then
-        head_due <= '1';
-      end if;
+      head_due <= coming_due or not running;
       head_lane <= coming_lane;
       if moves = '1' then
         head_verdict <= verdict;

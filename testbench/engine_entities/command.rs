@@ -505,8 +505,8 @@ fn every_packet_becomes_what_it_is() {
         ("if (reset_taken and not soft_reset) = '1' then", "if reset_taken = '1' then"),
         ("clears <= reset or soft_reset or reset_taken;", "clears <= reset or soft_reset;"),
         ("clears <= reset or soft_reset or reset_taken;", "clears <= reset or reset_taken;"),
-        ("(soft_reset and stays_within and not reset)", "(soft_reset and within_packet and not reset)"),
-        ("(soft_reset and stays_within and not reset)", "(stays_within and not reset)"),
+        ("not (soft_reset and stays_within) or reset;", "not (soft_reset and within_packet) or reset;"),
+        ("not (soft_reset and stays_within) or reset;", "not stays_within or reset;"),
         ("if (reset or soft_reset) = '1' then", "if reset = '1' then"),
         (
             "        pending <= '0';\n        closing <= '0';\n        goes <= '0';\n        query_pending <= '0';\n        posed_pending <= '0';\n        fault <= fine;",
