@@ -119,7 +119,7 @@ impl Cascade {
         self.bound(&mut claim, &holds);
         claim.mutants(&[
             (WrongGate, "take_pair"),
-            (WrongGate, "accepts"),
+            (WrongGate, "accept_pair"),
             (WrongArm, "empty"),
             (WrongGate, "decide_pair"),
             (Inverted, "valid"),
