@@ -42,7 +42,7 @@ entity engine_command is
     job_reason : out std_logic_vector(4 downto 0);
     job_number : out std_logic_vector(23 downto 0);
     job_words : out std_logic_vector(job_bits - 1 downto 0);  -- of the query without its header, the first in the low bits
-    busy : in std_logic;  -- a query runs, a report is sent, or a job is being taken
+    busy : in std_logic;  -- a query runs, or a report is sent; from the clock after its job is taken on
     pair_valid : out std_logic;  -- the last 10 words are a pair
     pair_taken : in std_logic;
     pair_last : out std_logic;  -- the last of its packet

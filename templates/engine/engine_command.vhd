@@ -49,7 +49,7 @@ entity {{ prefix }}engine_command is
 {%- if e.unit.signs.len() > 0 %}
     job_unfit : out std_logic;  -- a number of the pose is no sign extension
 {%- endif %}
-    busy : in std_logic;  -- a query runs, a report is sent, or a job is being taken
+    busy : in std_logic;  -- a query runs, or a report is sent; from the clock after its job is taken on
     pair_valid : out std_logic;  -- the last {{ e.unit.pair_words }} words are a pair
     pair_taken : in std_logic;
     pair_last : out std_logic;  -- the last of its packet

@@ -183,9 +183,12 @@ fn answer(entity: &mut Entity) -> Outcome {
         entity.set("stalled", 0);
         if round % 3 == 2 && !around.of_packets {
             // Pairs of the next query come right behind those of this one, and are held until theirs is the oldest.
-            for (numbers, lane) in (0..).zip([0, 0, 0, 1, 1].map(|age| (oldest + age) % LANES)) {
+            for (numbers, lane) in (0..).zip([0, 0, 1, 1].map(|age| (oldest + age) % LANES)) {
                 let mut pair = Some(Decided { verdict: 2, numbers, last: false, lane });
+                let begun = clock;
                 while pair.is_some() {
+                    expect(clock < begun + 100, clock, "a pair that is never taken")?;
+                    around.stands = round % 2 == 0 && clock < begun + 3;
                     entity.settle();
                     let taken = entity.is("decided_ready");
                     clock += 1;
@@ -193,6 +196,7 @@ fn answer(entity: &mut Entity) -> Outcome {
                     pair = pair.filter(|_| !taken);
                 }
             }
+            around.stands = false;
         }
         around.drain(entity, &mut rng, &mut clock, options)?;
         let held = if round % 3 == 2 && !around.of_packets { 2 } else { 0 };
@@ -270,6 +274,7 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         ("free <= m_axis_tready or not offered;", "free <= '1';"),
         ("due <= head_valid and head_due;", "due <= head_valid;"),
         ("coming_due <= stays_due when moves = '0' else", "coming_due <= stays_due when head_valid = '1' else"),
+        ("stays_due <= '1' when head_lane = oldest", "stays_due <= '1' when next_lane = oldest"),
         ("next_due <= '1' when next_lane = oldest", "next_due <= '1' when head_lane = oldest"),
         ("decided_due <= '1' when decided_lane = oldest", "decided_due <= '1' when head_lane = oldest"),
         ("next_lane <= decided_lane;", "next_lane <= oldest;"),

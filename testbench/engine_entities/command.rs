@@ -420,8 +420,9 @@ fn command(entity: &mut Entity) -> Outcome {
         let soft = soft && (hold == 0 || hold > 25);
         let takes_job = job && working == 0 && !held && !soft && hold == 0 && seldom(&mut packets.rng, 3);
         let takes_pair = pair && !soft && hold == 0 && seldom(&mut packets.rng, 3);
+        // A job that waits holds up others by itself.
         for (port, value) in
-            [("soft_reset", soft), ("job_taken", takes_job), ("pair_taken", takes_pair), ("busy", job || working > 0)]
+            [("soft_reset", soft), ("job_taken", takes_job), ("pair_taken", takes_pair), ("busy", working > 0)]
         {
             entity.set(port, value.into());
         }

@@ -512,6 +512,10 @@ fn jobs_are_checked_and_run_and_reported() {
         ("if counts(0) = 0 or counts(1) = 0 then", "if counts(0) = 0 then"),
         ("if flush_now = '0' and flushing = '0' then", "if flushing = '0' then"),
         ("moved(4) <= not known or not", "moved(4) <= not"),
+        // A query starts that is refused; the reason of a memory error is that of all, or a query is done that has failed.
+        ("started_pulse <= starts;", "started_pulse <= '1';"),
+        ("          elsif sound(lane) = '1' then\n", "          else\n"),
+        ("elsif done = '1' and fails = '0' then", "elsif done = '1' then"),
         // What has just begun is done.
         ("done <= not (started_pulse or idle_is_old) when", "done <= not idle_is_old when"),
         ("done <= not (started_pulse or idle_is_old) when", "done <= not started_pulse when"),
