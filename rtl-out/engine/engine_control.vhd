@@ -118,6 +118,7 @@ architecture rtl of engine_control is
   signal all_idle : std_logic;  -- a clock ago: a pair of a packet ends it two clocks before a job can come behind that
   signal idle_is_old : std_logic := '0';  -- a job was taken or the oldest query reported in the clock before: idle is of that clock
   signal job_due : std_logic;
+  signal job_found : std_logic := '0';  -- a clock ago; nothing but its taking ends that
   signal admits : std_logic;  -- a query is to be checked
   signal checks : unsigned(1 downto 0) := "00";
   -- What the check came to, a clock before its query is admitted.
@@ -260,13 +261,15 @@ begin
       aborting <= fails and not (reset or forget);
 
       -- Jobs, and the query that is admitted next.
+      job_found <= '0';
       if phase = waiting_state then
         checks <= "00";
         if admits = '1' then
           next_phase := check_state;
-        elsif job_due = '1' then
+        elsif job_found = '1' then
           next_phase := take_state;
         end if;
+        job_found <= job_due and not (admits or job_found);
       elsif phase = take_state then
         next_phase := waiting_state;
         if job_query = '1' then
@@ -426,6 +429,7 @@ begin
         ending_now <= all_lanes;
         drops <= no_lane;
         next_phase := waiting_state;
+        job_found <= '0';
         now_reporting := '0';
         now_occupied := no_lane;
         now_started := no_lane;

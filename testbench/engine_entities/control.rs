@@ -136,6 +136,8 @@ struct Control<'a> {
     dropped: u64,
     /// When pairs of packets were last in the unit, and when the last report was.
     unit_busy: usize,
+    /// For so many clocks, if they are there now.
+    busy_clocks: u32,
     reported: usize,
     reports: u32,
     aborts: u32,
@@ -171,9 +173,10 @@ impl Control<'_> {
         let mut events = [0; 3];
         for (age, lane) in self.lanes.iter_mut().enumerate() {
             let bit = 1 << ((self.oldest + age) % LANES);
-            // A stop comes as its query is done.
+            // A stop, or what memory does wrong, comes as its query is done.
             let stops = self.found.iter().any(|ids| ids.contains(&lane.job.id));
-            lane.idle |= lane.started && stops && seldom(&mut self.rng, 4);
+            let fails = age == 0 && self.error.is_some();
+            lane.idle |= lane.started && (stops || fails) && seldom(&mut self.rng, 4);
             // Something of others comes with a contact.
             if !lane.started || lane.idle || (events[2] == 0 && !seldom(&mut self.rng, 30)) {
                 continue;
@@ -227,12 +230,18 @@ impl Control<'_> {
 
     fn clock(&mut self) -> Outcome {
         let rng = &mut self.rng;
-        // Pairs of packets may be in the unit while there is no job.
-        let unit_busy = self.lanes.is_empty() && self.job.is_none() && seldom(rng, 3);
+        // Pairs of packets come to the unit while there is no job, and are still there when one comes behind them.
+        let was_busy = self.unit_busy + 1 == self.clock;
+        let begins = self.job.is_none() && seldom(rng, 6);
+        let unit_busy = self.lanes.is_empty() && if was_busy { !seldom(rng, 4) } else { begins };
         if unit_busy {
-            self.unit_busy = self.clock;
+            (self.unit_busy, self.busy_clocks) = (self.clock, self.busy_clocks + 1);
+        } else {
+            self.busy_clocks = 0;
         }
-        if self.job.is_none() && !unit_busy && seldom(rng, 12) {
+        // Not before the unit has said so.
+        let may_come = self.job.is_none() && (self.busy_clocks == 0 || self.busy_clocks > 2);
+        if may_come && seldom(rng, 12) {
             let job = Job::new(rng, JOB_WORDS);
             job.offer(self.entity);
             self.job = Some(job);
@@ -488,6 +497,7 @@ fn control(entity: &mut Entity) -> Outcome {
         aborting: false,
         dropped: 0,
         unit_busy: 0,
+        busy_clocks: 0,
         reported: 0,
         reports: 0,
         aborts: 0,

@@ -256,7 +256,7 @@ impl Sheet<'_> {
     fn control(&self) -> Entity {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
-        let flip_flops = lanes * (5 + 15) + 4 * lane_bits + 14 + 9 * axi;
+        let flip_flops = lanes * (5 + 15) + 4 * lane_bits + 15 + 9 * axi;
         let luts = self.of([14, 150, 27]) + lanes * self.of([75, 80, 55]) + self.chosen(5);
         self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.check(), self.stop()])
     }
