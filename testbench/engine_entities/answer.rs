@@ -181,7 +181,8 @@ fn answer(entity: &mut Entity) -> Outcome {
         entity.set("counting", rng.random_range(0..1 << LANES) & !(1 << oldest));
         LANE_EVENTS.iter().chain(&EVENTS).for_each(|(port, _)| entity.set(port, 0));
         entity.set("stalled", 0);
-        if round % 3 == 2 && !around.of_packets {
+        let behind = round % 3 == 2 && !around.of_packets;
+        if behind {
             // Pairs of the next query come right behind those of this one, and are held until theirs is the oldest.
             for (numbers, lane) in (0..).zip([0, 0, 1, 1].map(|age| (oldest + age) % LANES)) {
                 let mut pair = Some(Decided { verdict: 2, numbers, last: false, lane });
@@ -199,8 +200,7 @@ fn answer(entity: &mut Entity) -> Outcome {
             around.stands = false;
         }
         around.drain(entity, &mut rng, &mut clock, options)?;
-        let held = if round % 3 == 2 && !around.of_packets { 2 } else { 0 };
-        expect(around.held.len() == held, clock, "a pair that is not held")?;
+        expect(around.held.len() == if behind { 2 } else { 0 }, clock, "a pair that is not held")?;
 
         let (reason, number) = (round % 11, rng.random_range(0..1 << 24));
         let (short, stack) = (round % 2 == 1, rng.random_range(0..1 << 10));

@@ -231,9 +231,8 @@ impl Control<'_> {
     fn clock(&mut self) -> Outcome {
         let rng = &mut self.rng;
         // Pairs of packets come to the unit while there is no job, and are still there when one comes behind them.
-        let was_busy = self.unit_busy + 1 == self.clock;
         let begins = self.job.is_none() && seldom(rng, 6);
-        let unit_busy = self.lanes.is_empty() && if was_busy { !seldom(rng, 4) } else { begins };
+        let unit_busy = self.lanes.is_empty() && if self.busy_clocks > 0 { !seldom(rng, 4) } else { begins };
         if unit_busy {
             (self.unit_busy, self.busy_clocks) = (self.clock, self.busy_clocks + 1);
         } else {
