@@ -247,7 +247,7 @@ fn pairs_and_poses_come_in_turn_with_queries() {
     bench.passes(vectors.text(), &["-glatency_least=2", "-glatency_most=20", passes]);
     let changes = [
         // Pairs do not wait for the query before them; a query does not wait for pairs.
-        ("engine_command.vhd", " or (busy and (head_kind(is_pairs)));", ";"),
+        ("engine_command.vhd", " or (busy and (header.pairs));", ";"),
         ("engine_control.vhd", "job_due <= job_valid and all_idle when", "job_due <= job_valid when"),
         // The last pair of a packet is that which arrives, not that which is answered.
         ("engine_triangles.vhd", "decided_last <= tested_numbers(tag_last) and", "decided_last <= packet_last and"),

@@ -154,7 +154,7 @@ impl Packets {
                 reason = Reason::UnknownHeader;
             }
             7 => {
-                let at = self.rng.random_range(0..=last);
+                let at = if self.rng.random() { 0 } else { self.rng.random_range(1..=last) };
                 holed = Some(at);
                 reason = if at == 0 { Reason::UnknownHeader } else { Reason::TooShort };
             }
@@ -174,7 +174,7 @@ impl Packets {
         let mut words = [vec![header], record.clone()].concat();
         let last = words.len() - 1;
         let (mut reason, mut holed) = (Reason::Complete, None);
-        match self.rng.random_range(0..8) {
+        match self.rng.random_range(0..9) {
             0 => {
                 // The header alone, too.
                 words.truncate(if seldom(&mut self.rng, 2) { 1 } else { self.rng.random_range(1..=last) });
@@ -192,6 +192,10 @@ impl Packets {
                 holed = Some(self.rng.random_range(1..=last));
                 reason = Reason::TooShort;
             }
+            4 => {
+                holed = Some(0);
+                reason = Reason::UnknownHeader;
+            }
             _ => {}
         }
         self.send(&words, holed);
@@ -207,8 +211,8 @@ impl Packets {
         let count = self.rng.random_range(1..4);
         let records = self.random((count * length) as u32);
         let mut words = [vec![u64::from(self.format.stream.header(PacketKind::Pairs))], records.clone()].concat();
-        let (mut whole, mut holed) = (count, None);
-        match self.rng.random_range(0..5) {
+        let (mut whole, mut holed, mut reason) = (count, None, Reason::TooShort);
+        match self.rng.random_range(0..6) {
             0 => {
                 // Anywhere but behind a pair, which would be the last one.
                 whole = self.rng.random_range(0..count);
@@ -218,6 +222,7 @@ impl Packets {
                 whole = self.rng.random_range(0..count);
                 holed = Some(1 + whole * length + self.rng.random_range(0..length));
             }
+            2 => (whole, holed, reason) = (0, Some(0), Reason::UnknownHeader),
             _ => {}
         }
         self.send(&words, holed);
@@ -225,7 +230,7 @@ impl Packets {
             self.due(Work::Pair { words: pair.to_vec(), last: i + 1 == count });
         }
         if whole < count {
-            self.report(short(Reason::TooShort), true);
+            self.report(short(reason), true);
         }
     }
 
@@ -237,7 +242,7 @@ impl Packets {
         let mut data = self.random(count);
         let (mut reason, mut holed, mut written) = (Reason::Complete, None, data.len());
         let room = 8 * (self.lines - line) as usize;
-        match self.rng.random_range(0..9) {
+        match self.rng.random_range(0..10) {
             0 => {
                 address ^= 1 << [0, 3, 5, 32, 63][self.rng.random_range(0..5)];
                 (reason, written) = (Reason::UnknownHeader, 0);
@@ -248,13 +253,16 @@ impl Packets {
                 (reason, written) = (Reason::TooLong, 0);
             }
             2 => {
-                data.truncate(self.rng.random_range(0..data.len()));
+                // Within a line, or in front of all.
+                let lines = self.rng.random_range(0..data.len() / 8);
+                data.truncate(8 * lines + self.rng.random_range(usize::from(lines > 0)..8));
                 (reason, written) = (Reason::TooShort, data.len());
             }
             3 => {
                 written = self.rng.random_range(0..data.len());
                 (reason, holed) = (Reason::TooShort, Some(2 + written));
             }
+            4 => (reason, holed, written) = (Reason::UnknownHeader, Some(0), 0),
             _ => {}
         }
         if written > room {
@@ -274,6 +282,10 @@ impl Packets {
             self.send(&[header, 0], None);
             return self.refused(Reason::TooLong);
         }
+        if seldom(&mut self.rng, 8) {
+            self.send(&[header], Some(0));
+            return self.refused(Reason::UnknownHeader);
+        }
         self.send(&[header], None);
         self.stops += 1;
         self.stopped.push_back((self.packets, header >> QueryFlags::NUMBER_AT));
@@ -286,7 +298,7 @@ impl Packets {
     fn reset(&mut self) {
         let number = self.rng.random_range(0..QueryFlags::NUMBERS);
         let header = self.format.order(Command::Reset, number);
-        match self.rng.random_range(0..4) {
+        match self.rng.random_range(0..5) {
             0 => {
                 self.send(&[header, 0], None);
                 self.refused(Reason::TooLong);
@@ -295,6 +307,10 @@ impl Packets {
                 let command = [Command::Stop, Command::Reset][self.rng.random_range(0..2)];
                 let spare = self.rng.random_range(32..QueryFlags::NUMBER_AT);
                 self.send(&[self.format.order(command, number) | 1 << spare], None);
+                self.refused(Reason::UnknownHeader);
+            }
+            2 => {
+                self.send(&[header], Some(0));
                 self.refused(Reason::UnknownHeader);
             }
             _ => {
@@ -313,13 +329,13 @@ impl Packets {
     }
 
     fn next(&mut self) {
-        match self.rng.random_range(0..13) {
+        match self.rng.random_range(0..14) {
             0..4 => self.query(),
             4 | 5 => self.pose(),
             6 | 7 => self.pairs(),
-            8 => self.load(),
-            9 | 10 => self.stop(),
-            11 => self.reset(),
+            8 | 9 => self.load(),
+            10 | 11 => self.stop(),
+            12 => self.reset(),
             _ => {
                 let words = self.random(3);
                 // Of no kind that there is.
@@ -380,7 +396,7 @@ fn command(entity: &mut Entity) -> Outcome {
     };
     entity.reset();
     packets.headers();
-    (0..400).for_each(|_| packets.next());
+    (0..700).for_each(|_| packets.next());
     let (mut working, mut stops, mut quiet) = (0, 0, 0);
     // Packets of which a word was taken, and whether the next word is the first of one.
     let (mut begun, mut first, mut resets) = (0, true, 0);
@@ -481,28 +497,42 @@ fn command(entity: &mut Entity) -> Outcome {
 #[test]
 fn every_packet_becomes_what_it_is() {
     let changes = [
-        ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_load)"),
-        ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_pairs)"),
-        ("(head_kind(is_stop) or not waits)", "not waits"),
+        ("busy and (header.load or header.pairs)", "busy and header.load"),
+        ("busy and (header.load or header.pairs)", "busy and header.pairs"),
+        ("(header.stop or not waits)", "not waits"),
         ("head_valid and not goes", "head_valid"),
         ("at_header <= head_last;", "at_header <= '0';"),
         ("at_header <= not (soft_reset and stays_within) or reset;", "at_header <= '0';"),
         ("((pending or closing) and", "(pending and"),
         // The header of a query is taken early: one that ends its packet, words behind it, and what the job before is.
-        ("kind(is_job) <= s_axis_tlast or not kind(is_query);", "kind(is_job) <= not kind(is_query);"),
+        ("(head_last or not header.query)", "not header.query"),
+        // A header is not told from one that differs in a part of it.
+        ("head_kind(is_query) and head_kind(is_formatted);", "head_kind(is_query);"),
+        ("header.query <= head_whole and ", "header.query <= "),
+        ("header.pairs <= head_whole and ", "header.pairs <= "),
+        ("header.pose <= head_whole and ", "header.pose <= "),
+        ("header.load <= head_whole and ", "header.load <= "),
+        ("header.stop <= head_whole and head_last and ", "header.stop <= head_last and "),
+        ("header.soft_reset <= head_whole and head_last and ", "header.soft_reset <= head_last and "),
+        ("header.stop <= head_whole and head_last and ", "header.stop <= head_whole and "),
+        ("and head_last and head_kind(is_stop) and head_kind(is_clear);", "and head_last and head_kind(is_stop);"),
+        (
+            "not head_last and (head_kind(is_stop) or head_kind(is_reset)) and",
+            "not head_last and head_kind(is_stop) and",
+        ),
+        (
+            "not head_last and (head_kind(is_stop) or head_kind(is_reset)) and",
+            "not head_last and head_kind(is_reset) and",
+        ),
+        // What is taken is what comes behind it.
+        ("going <= header;", "if head_valid = '0' then\n        going <= header;\n      end if;"),
         ("not occupied and not pending;", "not occupied;"),
         ("(head_valid and gathers and not pending)", "(head_valid and gathers)"),
         ("job_short <= short_pending;", "job_short <= short;"),
         // Soft resets: by a word that waits, that has bits which mean nothing, that leaves a job or a pair; by the port, with
         // packets that go on or words that are held.
-        (
-            "(head_kind(is_reset) or (not occupied",
-            "((not occupied and not waits and head_kind(is_reset)) or (not occupied",
-        ),
-        (
-            "when s_axis_tdata(39 downto 0) = reset_header else '0';\n  kind(is_long",
-            "when s_axis_tdata(31 downto 0) = reset_header(31 downto 0) else '0';\n  kind(is_long",
-        ),
+        ("(header.soft_reset or (not occupied", "((not occupied and not waits and header.soft_reset) or (not occupied"),
+        ("head_kind(is_reset) and head_kind(is_clear);", "head_kind(is_reset);"),
         ("if (reset_taken and not soft_reset) = '1' then", "if reset_taken = '1' then"),
         ("clears <= reset or soft_reset or reset_taken;", "clears <= reset or soft_reset;"),
         ("clears <= reset or soft_reset or reset_taken;", "clears <= reset or reset_taken;"),
@@ -519,7 +549,7 @@ fn every_packet_becomes_what_it_is() {
         ),
         ("    (at_options = '1' and head(39 downto 36) /= \"0000\") or\n", ""),
         ("    (at_record = '1' and head(31) = '1') or\n", ""),
-        ("answer_short := head_kind(is_short);", "answer_short := '0';"),
+        ("answer_short := going.short;", "answer_short := '0';"),
         (
             "if at_rows = '1' then\n              found := too_long;",
             "if at_rows = '0' and at_record = '1' then\n              found := too_long;",

@@ -555,14 +555,24 @@ fn jobs_are_checked_and_run_and_reported() {
             "            now_reasons(lane) := fine;",
         ),
         ("numbers(lane) <= forget_number;", "numbers(lane) <= job_number;"),
-        ("stored <= '1';", "stored <= '0';"),
+        ("stored <= now_taken;", "stored <= '0';"),
         // Pairs are dropped too long, or of a query that has not begun.
         ("        drops <= no_lane;\n", ""),
         ("drops(lane) <= started_now(lane) and not sound(lane);", "drops(lane) <= not sound(lane);"),
         // A stop for a query that was taken a clock ago is for the one before it in its lane.
         ("if moved(lane) = '1' then", "if false then"),
         // Behind a soft reset, the flag of the next job is another one than its lane.
-        ("is_next(lane) <= is_oldest((lane + lanes - 1) mod lanes);", "is_next(lane) <= is_oldest(lane);"),
+        ("          is_next <= rotated(is_oldest);\n", ""),
+        // The lane that is admitted next is another one than its number says, behind each of what moves it.
+        ("          is_candidate <= rotated(is_oldest);\n          next_lane", "          next_lane"),
+        ("        is_candidate <= rotated(is_candidate);\n", ""),
+        ("          is_candidate <= rotated(is_next);\n", ""),
+        ("        is_candidate <= rotated(is_oldest);\n      elsif done", "      elsif done"),
+        // A job is taken although the query before it fails in that clock.
+        (
+            "        now_taken := '0';\n        started_pulse <= '0';\n        for lane",
+            "        started_pulse <= '0';\n        for lane",
+        ),
     ];
     let design =
         EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());

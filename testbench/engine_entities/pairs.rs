@@ -275,9 +275,9 @@ fn pairs_are_asked_for_in_order_and_counted() {
         ("if advances = '1' and retire = '0' then", "if advances = '1' and retire = '1' then"),
         ("front_is_oldest = '0' and front_lane = unsigned(oldest) + 1", "front_lane = unsigned(oldest)"),
         ("front_is_oldest = '0' and front_lane = unsigned(oldest) + 1", "front_is_oldest = '0'"),
-        ("(comes and (some_wait(lane) or held) = '0'));", "false);"),
-        ("(comes and (some_wait(lane) or held) = '0'));", "(comes and some_wait(lane) = '0'));"),
-        ("((some_wait(lane) and fetches) = '1' or", "(fetches = '1' or"),
+        ("goes := leaves or (comes and may_pass);", "goes := leaves;"),
+        ("not (some_wait(lane) or held)) = '1';", "not some_wait(lane)) = '1';"),
+        ("(is_front(lane) and some_wait(lane) and fetches)", "(is_front(lane) and fetches)"),
         ("if goes and reset = '0' then", "if goes and not comes and reset = '0' then"),
         // One that was asked for is not counted, or counted twice; nothing waits for it.
         ("asked_one <= asked and not reset;", "asked_one <= asked and not (triangles_taken or reset);"),

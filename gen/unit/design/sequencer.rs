@@ -101,7 +101,7 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
                 "the last phase, in which hundreds of registers load; set in reset and in the first clock after, where nothing is accepted",
             );
             phase.loads(last_next, None, Some((reset, 1)));
-            (in_valid, (in_valid & phase).named("load"))
+            (in_valid, phase)
         }
         _ => (in_valid, in_valid),
     };
