@@ -99,7 +99,7 @@ const VHDL: &[Explanation] = &[
     same_in_several("sequencer:accepted_moved:delay:a register too many", LAST_PHASE),
     same_in_several("sequencer:accepted_ahead:delay:a register too many", LAST_PHASE),
     same_in_several("sequencer:last_phase:constant:'0' -> '1'", NOT_YET),
-    same_in_several("sequencer:load_phase:constant:'1' -> '0'", NOT_YET),
+    same_in_several("sequencer:load_pair:constant:'1' -> '0'", NOT_YET),
     same_in_several("efsat:tag_address:delay:a register too many", STANDS),
     hidden("efsat:active_bypass:constant:'1' -> '0'", FROM_RESET),
     same("sequencer:running:constant:'0' -> '1'", RUNNING),

@@ -303,7 +303,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     let signals = m.instance("control", &control, &control_inputs);
     let of = |name: &str| sequencer::output(&control, &signals, name);
 
-    // The pair of the running slot; without one the last pair stays, so that what idle inputs carry goes no further.
+    // The pair of the running slot.
     let load = of("load_pair");
     let held = |place: &Place, port: Wire| {
         let register = m.register(prefixed(place, "in_", "pair_"), port.ty());
