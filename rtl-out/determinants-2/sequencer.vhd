@@ -16,7 +16,7 @@ entity sequencer is
     pose_valid     : in  std_logic;
     out_ready      : in  std_logic;
     phase          : out std_logic;
-    load_pair      : out std_logic;
+    load_pair      : out std_logic := '1';  -- the last phase, in which hundreds of registers load; set in reset and in the first clock after, where nothing is accepted
     holds          : out std_logic_vector(17 downto 0);
     in_ready       : out std_logic;
     accept         : out std_logic;
@@ -48,7 +48,6 @@ architecture rtl of sequencer is
   signal full : std_logic;
   signal accepts : std_logic;
   signal phase_equal : std_logic;
-  signal load_phase : std_logic := '1';  -- the last phase, in which hundreds of registers load; set in reset and in the first clock after, where nothing is accepted
   signal accept_pair : std_logic;
   signal holds_i : std_logic_vector(17 downto 0) := (others => '0');
   signal decide_phase : std_logic := '0';  -- set in phase 0
@@ -78,7 +77,6 @@ begin
   accept_pose <= pose_valid and takes_pose;
   pose_waits <= pose_pending and not load_pose;
   pose_pending_next <= pose_waits or accept_pose;
-  load_pair <= in_valid and load_phase;
   accept_address <= accepted(4 downto 0);
   decide_address <= decided(4 downto 0);
   take_address <= taken(4 downto 0);
@@ -95,7 +93,6 @@ begin
         taken_moved <= '0';
         full_if_moved <= '0';
         full_if_still <= '0';
-        load_phase <= '1';
         decide_phase <= '0';
         empty_if_moved <= '1';
         empty_if_still <= '1';
@@ -103,6 +100,7 @@ begin
         load_pose <= '0';
         takes_pose <= '0';
         pose_pending <= '0';
+        load_pair <= '1';
       else
         running <= '1';
         if phase_i = '1' then
@@ -115,7 +113,6 @@ begin
         taken_moved <= take_pair;
         full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
         full_if_still <= flag(known(accepted) = known(taken_turned));
-        load_phase <= phase_equal;
         decide_phase <= flag(phase_i = '1');
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
@@ -123,6 +120,7 @@ begin
         load_pose <= pose_pending_next and phase_equal;
         takes_pose <= not pose_pending_next;
         pose_pending <= pose_pending_next;
+        load_pair <= phase_equal;
       end if;
       if reset = '1' then
         accepted <= to_unsigned(0, 6);

@@ -82,10 +82,21 @@ architecture rtl of engine_control is
   constant all_lanes : flags := (others => '1');
   subtype lane_number is unsigned(lane_bits - 1 downto 0);
 
+  -- Flags of lanes, each with that of the lane before.
+  function rotated(flag : flags) return flags is
+    variable turned : flags;
+  begin
+    for lane in 0 to lanes - 1 loop
+      turned(lane) := flag((lane + lanes - 1) mod lanes);
+    end loop;
+    return turned;
+  end function rotated;
+
   -- Lanes, in turn: from the oldest to where the next job goes.
   signal oldest_lane : lane_number := (others => '0');
   signal is_oldest : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
   signal admitted_lane : lane_number := (others => '0');  -- that is admitted next
+  signal is_candidate : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
   signal next_lane : lane_number := (others => '0');  -- of the next job
   signal is_next : flags := (0 => '1', others => '0');
   signal occupied : flags := (others => '0');
@@ -182,7 +193,7 @@ begin
   -- A query is taken beside others, another job alone.
   job_due <= job_valid and all_idle when occupied = no_lane else
     job_valid and job_query when (asked and is_oldest) /= no_lane and (occupied and is_next) = no_lane else '0';
-  admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
+  admits <= '0' when (occupied and is_candidate and not admitted) = no_lane else '1';
 
   here <= admitted and is_oldest;
   -- What has just begun was idle a clock ago.
@@ -241,6 +252,7 @@ begin
     variable now_reasons : lane_reasons;
     variable now_sound : flags;
     variable now_reporting : std_logic;
+    variable now_taken : std_logic;  -- take_state comes, told apart from what follows in the other states
   begin
     if rising_edge(clk) then
       next_phase := phase;
@@ -262,12 +274,14 @@ begin
 
       -- Jobs, and the query that is admitted next.
       job_found <= '0';
+      now_taken := '0';
       if phase = waiting_state then
         checks <= "00";
         if admits = '1' then
           next_phase := check_state;
         elsif job_found = '1' then
           next_phase := take_state;
+          now_taken := '1';
         end if;
         job_found <= job_due and not (admits or job_found);
       elsif phase = take_state then
@@ -276,8 +290,8 @@ begin
           next_phase := check_state;
         end if;
         next_lane <= next_lane + 1;
+        is_next <= rotated(is_next);
         for lane in 0 to lanes - 1 loop
-          is_next(lane) <= is_next((lane + lanes - 1) mod lanes);
           if is_next(lane) = '1' then
             now_occupied(lane) := '1';
             now_reasons(lane) := job_reason;
@@ -293,6 +307,7 @@ begin
         end loop;
         if job_query = '0' then
           admitted_lane <= next_lane + 1;
+          is_candidate <= rotated(is_next);
         end if;
       elsif phase = check_state then
         checks <= checks + 1;
@@ -333,9 +348,10 @@ begin
       else
         next_phase := waiting_state;
         admitted_lane <= admitted_lane + 1;
+        is_candidate <= rotated(is_candidate);
         started_pulse <= starts;
         for lane in 0 to lanes - 1 loop
-          if admitted_lane = lane then
+          if is_candidate(lane) = '1' then
             admitted(lane) <= '1';
             now_started(lane) := starts;
             if starts = '0' then
@@ -373,8 +389,8 @@ begin
         if report_done = '1' then
           now_reporting := '0';
           next_oldest := oldest_lane + 1;
+          next_is_oldest := rotated(is_oldest);
           for lane in 0 to lanes - 1 loop
-            next_is_oldest(lane) := is_oldest((lane + lanes - 1) mod lanes);
             if is_oldest(lane) = '1' then
               now_occupied(lane) := '0';
               now_started(lane) := '0';
@@ -388,6 +404,7 @@ begin
         now_reporting := '1';
         known <= '0';
         next_phase := waiting_state;
+        now_taken := '0';
         started_pulse <= '0';
         for lane in 0 to lanes - 1 loop
           if is_oldest(lane) = '0' then
@@ -404,6 +421,7 @@ begin
           end if;
         end loop;
         admitted_lane <= oldest_lane + 1;
+        is_candidate <= rotated(is_oldest);
       elsif done = '1' and fails = '0' then
         now_reporting := '1';
       end if;
@@ -429,6 +447,7 @@ begin
         ending_now <= all_lanes;
         drops <= no_lane;
         next_phase := waiting_state;
+        now_taken := '0';
         job_found <= '0';
         now_reporting := '0';
         now_occupied := no_lane;
@@ -442,11 +461,11 @@ begin
         next_oldest := oldest_lane;
         next_is_oldest := is_oldest;
         admitted_lane <= oldest_lane;
+        is_candidate <= is_oldest;
         next_lane <= oldest_lane;
         is_next <= is_oldest;
         if reset = '0' then
           for lane in 0 to lanes - 1 loop
-            is_next(lane) <= is_oldest((lane + lanes - 1) mod lanes);
             if is_oldest(lane) = '1' then
               now_occupied(lane) := '1';
               asked(lane) <= '0';
@@ -457,7 +476,9 @@ begin
             end if;
           end loop;
           admitted_lane <= oldest_lane + 1;
+          is_candidate <= rotated(is_oldest);
           next_lane <= oldest_lane + 1;
+          is_next <= rotated(is_oldest);
         end if;
       end if;
 
@@ -469,12 +490,8 @@ begin
       reasons <= now_reasons;
       sound <= now_sound;
       reporting <= now_reporting;
-      taken <= '0';
-      stored <= '0';
-      if next_phase = take_state then
-        taken <= '1';
-        stored <= '1';
-      end if;
+      taken <= now_taken;
+      stored <= now_taken;
     end if;
   end process proceed;
 end architecture rtl;

@@ -197,6 +197,8 @@ begin
 
   count : process (clk)
     variable comes : boolean;
+    variable leaves : boolean;
+    variable may_pass : boolean;
     variable goes : boolean;
     variable kept : unsigned(place_bits downto 0);
     variable left : unsigned(place_bits downto 0);
@@ -208,8 +210,10 @@ begin
     if rising_edge(clk) then
       for lane in 0 to lanes - 1 loop
         comes := accepts = '1' and unsigned(pair_lane) = lane;
-        -- One is fetched, or passes by: of what the clock knows first, as much hangs on it.
-        goes := is_front(lane) = '1' and ((some_wait(lane) and fetches) = '1' or (comes and (some_wait(lane) or held) = '0'));
+        -- One is fetched, or one that comes would pass by: of what the clock knows first, as much hangs on it.
+        leaves := (is_front(lane) and some_wait(lane) and fetches) = '1';
+        may_pass := (is_front(lane) and not (some_wait(lane) or held)) = '1';
+        goes := leaves or (comes and may_pass);
         pair_left(lane) <= '0';
         if goes and reset = '0' then
           pair_left(lane) <= '1';
@@ -231,12 +235,12 @@ begin
         if goes then
           waiting(lane) <= left;
         end if;
-        if comes and not goes then
+        if comes and not (leaves or may_pass) then
           some_wait(lane) <= '1';
           if waiting(lane) = places - 2 then
             full(lane) <= '1';
           end if;
-        elsif goes and not comes then
+        elsif leaves and not comes then
           if waiting(lane) = places - 1 then
             full(lane) <= '0';
           end if;

@@ -58,23 +58,24 @@ architecture rtl of engine_command is
   constant pose_header : std_logic_vector(31 downto 0) := x"4410a002";
   constant query_header : std_logic_vector(31 downto 0) := x"4410a003";
   constant query_format : std_logic_vector(31 downto 0) := x"0024ca12";
-  constant stop_header : std_logic_vector(39 downto 0) := x"004410a005";
-  constant reset_header : std_logic_vector(39 downto 0) := x"004410a006";
+  constant stop_header : std_logic_vector(31 downto 0) := x"4410a005";
+  constant reset_header : std_logic_vector(31 downto 0) := x"4410a006";
   constant all_bytes : std_logic_vector(7 downto 0) := (others => '1');
   constant fine : std_logic_vector(4 downto 0) := reason_complete;
   constant unknown : std_logic_vector(4 downto 0) := reason_unknown_header;
   constant too_short : std_logic_vector(4 downto 0) := reason_too_short;
   constant too_long : std_logic_vector(4 downto 0) := reason_too_long;
 
-  -- Two words are held, so that TREADY depends on registers alone. What a word is as a header is found when it arrives.
+  -- Two words are held, so that TREADY depends on registers alone. What a word has of a header is found in parts when it arrives.
+  -- Its low half is that of a kind:
   constant is_query : natural := 0;
-  constant is_stop : natural := 1;  -- with nothing behind it
-  constant is_long_stop : natural := 2;  -- or soft reset
+  constant is_stop : natural := 1;
+  constant is_reset : natural := 2;
   constant is_pairs : natural := 3;
   constant is_pose : natural := 4;
-  constant is_short : natural := 5;  -- of kind 1 or 2, be it known or not
-  constant is_reset : natural := 6;  -- with nothing behind it
-  constant is_job : natural := 8 - 1;  -- what waits while a job does: all but the header of a query with words behind it
+  constant is_short : natural := 5;  -- its low byte is 1 or 2
+  constant is_formatted : natural := 6;  -- its high half is that of a query
+  constant is_clear : natural := 7;  -- what is below a number is zero
   constant kinds : natural := 8;
   signal kind : std_logic_vector(kinds - 1 downto 0);
   signal running : std_logic := '0';
@@ -96,6 +97,18 @@ architecture rtl of engine_command is
   signal taken : std_logic;
 
   signal at_header : std_logic := '1';  -- the next word is a header
+  -- What the first word that is held is as a header, all of it looked at.
+  type header_kind is record
+    query : std_logic;
+    pairs : std_logic;
+    pose : std_logic;
+    short : std_logic;  -- of kind 1 or 2, be it known or not
+    stop : std_logic;  -- with nothing behind it
+    soft_reset : std_logic;  -- with nothing behind it
+    long_stop : std_logic;  -- or soft reset, with words behind it
+  end record;
+  signal header : header_kind;
+  signal going : header_kind := (others => '0');  -- the same a clock later, when it is taken
   -- Behind it: what the word belongs to, or that it is left out.
   type expectation_state is (query_state, pose_state, pair_state, skip_state);
   signal expectation : expectation_state := skip_state;
@@ -137,15 +150,15 @@ begin
   s_axis_tready <= ready;
   arrives <= ready and s_axis_tvalid;
   whole <= '1' when s_axis_tkeep = all_bytes else '0';
-  kind(is_query) <= whole when s_axis_tdata = query_format & query_header else '0';
-  kind(is_job) <= s_axis_tlast or not kind(is_query);
   stays_within <= not s_axis_tlast when arrives = '1' else within_packet;
-  kind(is_stop) <= whole and s_axis_tlast when s_axis_tdata(39 downto 0) = stop_header else '0';
-  kind(is_reset) <= whole and s_axis_tlast when s_axis_tdata(39 downto 0) = reset_header else '0';
-  kind(is_long_stop) <= whole and not s_axis_tlast when s_axis_tdata(39 downto 0) = stop_header or s_axis_tdata(39 downto 0) = reset_header else '0';
-  kind(is_pairs) <= whole when s_axis_tdata(31 downto 0) = pairs_header else '0';
-  kind(is_pose) <= whole when s_axis_tdata(31 downto 0) = pose_header else '0';
+  kind(is_query) <= '1' when s_axis_tdata(31 downto 0) = query_header else '0';
+  kind(is_stop) <= '1' when s_axis_tdata(31 downto 0) = stop_header else '0';
+  kind(is_reset) <= '1' when s_axis_tdata(31 downto 0) = reset_header else '0';
+  kind(is_pairs) <= '1' when s_axis_tdata(31 downto 0) = pairs_header else '0';
+  kind(is_pose) <= '1' when s_axis_tdata(31 downto 0) = pose_header else '0';
   kind(is_short) <= '1' when s_axis_tdata(7 downto 0) = pairs_header(7 downto 0) or s_axis_tdata(7 downto 0) = pose_header(7 downto 0) else '0';
+  kind(is_formatted) <= '1' when s_axis_tdata(63 downto 32) = query_format else '0';
+  kind(is_clear) <= '1' when s_axis_tdata(39 downto 32) = "00000000" else '0';
 
   hold : process (clk)
   begin
@@ -194,9 +207,16 @@ begin
   -- A packet begins when its job has a place to go, and pairs when everything before them is done. The header of a query goes
   -- nowhere: its words wait for the register. A header is looked at in one clock and taken in the next; nothing that it waits for
   -- begins in between.
-  waits <= reset_now or ((pending or closing) and head_kind(is_job)) or (busy and (head_kind(is_pairs)));
+  header.query <= head_whole and head_kind(is_query) and head_kind(is_formatted);
+  header.pairs <= head_whole and head_kind(is_pairs);
+  header.pose <= head_whole and head_kind(is_pose);
+  header.short <= head_kind(is_short);
+  header.stop <= head_whole and head_last and head_kind(is_stop) and head_kind(is_clear);
+  header.soft_reset <= head_whole and head_last and head_kind(is_reset) and head_kind(is_clear);
+  header.long_stop <= head_whole and not head_last and (head_kind(is_stop) or head_kind(is_reset)) and head_kind(is_clear);
+  waits <= reset_now or ((pending or closing) and (head_last or not header.query)) or (busy and (header.pairs));
   taken <= goes when at_header = '1' else head_valid and not occupied and not pending;
-  reset_taken <= goes and head_kind(is_reset);
+  reset_taken <= goes and going.soft_reset;
   clears <= reset or soft_reset or reset_taken;
   shifts <= (head_valid and gathers and not pending) or moving;
   -- A word that is none, in front of the first one or between two, is not looked at.
@@ -220,7 +240,8 @@ begin
       closing <= '0';
       reset_now <= reset_taken and not (reset or soft_reset);
       goes <= at_header and head_valid and not goes
-        and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits)));
+        and (header.soft_reset or (not occupied and (header.stop or not waits)));
+      going <= header;
       stop_number <= head(option_number);
       forget_number <= (others => '0');
       if (reset_taken and not soft_reset) = '1' then
@@ -260,13 +281,13 @@ begin
       -- Of a header that is taken; one that is not taken yet has them, too, as nothing looks at them before its next word.
       if at_header = '1' and moving = '0' then
         place <= "000001";
-        if head_kind(is_pose) = '1' then
+        if going.pose = '1' then
           place <= to_unsigned(pose_word, 6);
-        elsif head_kind(is_pairs) = '1' then
+        elsif going.pairs = '1' then
           place <= pair_place;
         end if;
         at_options <= '0';
-        at_record <= head_kind(is_pose) or head_kind(is_pairs);
+        at_record <= going.pose or going.pairs;
         at_record_end <= '0';
         at_rows <= '0';
         at_end <= '0';
@@ -292,27 +313,26 @@ begin
         found := fault;
         answer_short := short;
         if at_header = '1' then
-          answer_short := head_kind(is_short);
-          short <= head_kind(is_short);
-          gathers <= head_kind(is_query) or head_kind(is_pose) or head_kind(is_pairs);
-          -- Alone, the header of a packet that has words.
-          found := too_short;
-          if head_last = '0' then
-            found := fine;
+          answer_short := going.short;
+          short <= going.short;
+          gathers <= going.query or going.pose or going.pairs;
+          found := fine;
+          if head_last = '1' then
+            found := too_short;  -- alone, the header of a packet that has words
           end if;
-          if head_kind(is_query) = '1' then
+          if going.query = '1' then
             next_expectation := query_state;
-          elsif head_kind(is_pose) = '1' then
+          elsif going.pose = '1' then
             next_expectation := pose_state;
-          elsif head_kind(is_pairs) = '1' then
+          elsif going.pairs = '1' then
             next_expectation := pair_state;
-          elsif head_kind(is_stop) = '1' or head_kind(is_reset) = '1' then
+          elsif going.stop = '1' or going.soft_reset = '1' then
             found := fine;
-            stop <= head_kind(is_stop);
+            stop <= going.stop;
           else
             next_expectation := skip_state;
             found := unknown;
-            if head_kind(is_long_stop) = '1' then
+            if going.long_stop = '1' then
               found := too_long;
             end if;
           end if;

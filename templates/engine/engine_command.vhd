@@ -86,8 +86,8 @@ architecture rtl of {{ prefix }}engine_command is
   constant too_short : std_logic_vector(4 downto 0) := reason_too_short;
   constant too_long : std_logic_vector(4 downto 0) := reason_too_long;
 
-  -- Two words are held, so that TREADY depends on registers alone. What a word has of a header is found in parts when it arrives:
-  -- its low half is that of a kind,
+  -- Two words are held, so that TREADY depends on registers alone. What a word has of a header is found in parts when it arrives.
+  -- Its low half is that of a kind:
   constant is_query : natural := 0;
   constant is_stop : natural := 1;
   constant is_reset : natural := 2;
@@ -97,7 +97,7 @@ architecture rtl of {{ prefix }}engine_command is
   constant is_formatted : natural := 6;  -- its high half is that of a query
   constant is_clear : natural := 7;  -- what is below a number is zero
 {%- if e.block_ram %}
-  constant is_load : natural := 8;
+  constant is_load : natural := 8;  -- its low half is that of a load
 {%- endif %}
   constant kinds : natural := {{ e.query.kinds }};
 {% include "engine/held_signals.vhd" %}

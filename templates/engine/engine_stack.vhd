@@ -3,7 +3,8 @@
 {% endfor -%}
 --
 -- The stack of pairs of a query that are still to be opened. The two uppermost entries are in registers, the third at the output of the
--- memory or, after a push, in a register; so a push and a pop are possible in every clock, also both in one.
+-- memory or, after a push, in a register; so a push and a pop are possible in every clock, also both in one. The second has a register
+-- for each of the two ways to it, because a memory gives its word late in a clock.
 -- There are never more than {{ e.traversal.stack }} entries: the traversal sees to it (rule of issue), and the report tells the most there were.
 --------------------------------------------------------------------------------
 library ieee;
@@ -35,7 +36,9 @@ architecture rtl of {{ prefix }}engine_stack is
   signal pop_place : unsigned(place_bits - 1 downto 0) := (others => '0');  -- used - 4: the third after a pop
   signal place : unsigned(place_bits - 1 downto 0);
   signal top : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
-  signal second : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
+  signal second : std_logic_vector(entry_bits - 1 downto 0);
+  signal second_pushed : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');  -- top before the last push
+  signal second_popped : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');  -- third before the last pop
   signal pushed_over : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');  -- second before the last push
   signal remembered : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');  -- output of the memory
   signal third : std_logic_vector(entry_bits - 1 downto 0);
@@ -57,6 +60,7 @@ begin
   changes <= push xor pop;
   -- With a push and a pop at once nothing is read, and what is written is written again before it is read.
   place <= push_place when push = '1' else pop_place;
+  second <= second_pushed when last_was_push = '1' else second_popped;
   third <= pushed_over when last_was_push = '1' else remembered;
 
   remember : process (clk)
@@ -82,12 +86,10 @@ begin
       end if;
       if grows = '1' then
         pushed_over <= second;
+        second_pushed <= top;
       end if;
-      if changes = '1' then
-        second <= third;
-        if push = '1' then
-          second <= top;
-        end if;
+      if shrinks = '1' then
+        second_popped <= third;
       end if;
       if clear = '1' then
         used <= (others => '0');

@@ -104,8 +104,29 @@ impl Packets {
         words
     }
 
-    /// Headers with nothing behind them.
+    /// Headers with nothing behind them, with a byte that is missing, and with bits that mean nothing.
     fn headers(&mut self) {
+        let query = self.query_words();
+        self.send(&query, Some(0));
+        self.refused(Reason::UnknownHeader);
+        self.send(&[self.format.header(Command::Load), 0, 0], Some(0));
+        self.refused(Reason::UnknownHeader);
+        for kind in [PacketKind::Pairs, PacketKind::Pose] {
+            self.send(&[self.format.stream.header(kind).into(), 0], Some(0));
+            self.report(short(Reason::UnknownHeader), true);
+        }
+        for order in [Command::Stop, Command::Reset].map(|command| self.format.order(command, 5)) {
+            for words in [&[order | 1 << 32][..], &[order | 1 << 39, 0]] {
+                self.send(words, None);
+                self.refused(Reason::UnknownHeader);
+            }
+            self.send(&[order], Some(0));
+            self.refused(Reason::UnknownHeader);
+            self.send(&[order, 0], Some(0));
+            self.refused(Reason::UnknownHeader);
+            self.send(&[order, 0], None);
+            self.refused(Reason::TooLong);
+        }
         for command in [Command::Query, Command::Load] {
             self.send(&[self.format.header(command)], None);
             self.refused(Reason::TooShort);
@@ -122,7 +143,7 @@ impl Packets {
         let last = words.len() - 1;
         let row = self.rng.random_range(format.row_at(0) as usize..=last);
         let (mut reason, mut holed) = (Reason::Complete, None);
-        match self.rng.random_range(0..14) {
+        match self.rng.random_range(0..12) {
             0 => {
                 // The header alone, too, while another job waits.
                 words.truncate(if seldom(&mut self.rng, 2) { 1 } else { self.rng.random_range(1..=last) });
@@ -279,8 +300,7 @@ impl Packets {
         let number = self.rng.random_range(0..QueryFlags::NUMBERS);
         let header = self.format.order(Command::Stop, number);
         if seldom(&mut self.rng, 4) {
-            self.send(&[header, 0], None);
-            return self.refused(Reason::TooLong);
+            return self.long_order(header);
         }
         if seldom(&mut self.rng, 8) {
             self.send(&[header], Some(0));
@@ -294,19 +314,25 @@ impl Packets {
         }
     }
 
+    /// The header of a stop or a soft reset with a word behind it.
+    fn long_order(&mut self, header: u64) {
+        let hole = seldom(&mut self.rng, 2);
+        self.send(&[header, 0], hole.then_some(0));
+        self.refused(if hole { Reason::UnknownHeader } else { Reason::TooLong });
+    }
+
     /// Headers of stops and soft resets that are none are of no kind.
     fn reset(&mut self) {
         let number = self.rng.random_range(0..QueryFlags::NUMBERS);
         let header = self.format.order(Command::Reset, number);
-        match self.rng.random_range(0..5) {
-            0 => {
-                self.send(&[header, 0], None);
-                self.refused(Reason::TooLong);
-            }
+        match self.rng.random_range(0..6) {
+            0 => self.long_order(header),
             1 => {
                 let command = [Command::Stop, Command::Reset][self.rng.random_range(0..2)];
                 let spare = self.rng.random_range(32..QueryFlags::NUMBER_AT);
-                self.send(&[self.format.order(command, number) | 1 << spare], None);
+                let words = [self.format.order(command, number) | 1 << spare, 0];
+                let count = self.rng.random_range(1..=2);
+                self.send(&words[..count], None);
                 self.refused(Reason::UnknownHeader);
             }
             2 => {
@@ -396,7 +422,7 @@ fn command(entity: &mut Entity) -> Outcome {
     };
     entity.reset();
     packets.headers();
-    (0..700).for_each(|_| packets.next());
+    (0..500).for_each(|_| packets.next());
     let (mut working, mut stops, mut quiet) = (0, 0, 0);
     // Packets of which a word was taken, and whether the next word is the first of one.
     let (mut begun, mut first, mut resets) = (0, true, 0);
@@ -423,8 +449,9 @@ fn command(entity: &mut Entity) -> Outcome {
             &mut packets.rng,
             match hold {
                 26.. => 6,
-                _ if clock % 2000 < 1000 => 100,
-                _ => 1000,
+                // Seldom at first, for the packets that are there once.
+                _ if clock % 2000 < 1000 => 1000,
+                _ => 100,
             },
         );
         let is_reset = word
@@ -514,6 +541,12 @@ fn every_packet_becomes_what_it_is() {
         ("header.load <= head_whole and ", "header.load <= "),
         ("header.stop <= head_whole and head_last and ", "header.stop <= head_last and "),
         ("header.soft_reset <= head_whole and head_last and ", "header.soft_reset <= head_last and "),
+        ("header.soft_reset <= head_whole and head_last and ", "header.soft_reset <= head_whole and "),
+        ("header.long_stop <= head_whole and ", "header.long_stop <= "),
+        (
+            "(head_kind(is_stop) or head_kind(is_reset)) and head_kind(is_clear);",
+            "(head_kind(is_stop) or head_kind(is_reset));",
+        ),
         ("header.stop <= head_whole and head_last and ", "header.stop <= head_whole and "),
         ("and head_last and head_kind(is_stop) and head_kind(is_clear);", "and head_last and head_kind(is_stop);"),
         (
@@ -524,7 +557,7 @@ fn every_packet_becomes_what_it_is() {
             "not head_last and (head_kind(is_stop) or head_kind(is_reset)) and",
             "not head_last and head_kind(is_reset) and",
         ),
-        // What is taken is what comes behind it.
+        // What is taken is what was held before it.
         ("going <= header;", "if head_valid = '0' then\n        going <= header;\n      end if;"),
         ("not occupied and not pending;", "not occupied;"),
         ("(head_valid and gathers and not pending)", "(head_valid and gathers)"),

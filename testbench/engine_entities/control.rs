@@ -568,7 +568,9 @@ fn jobs_are_checked_and_run_and_reported() {
         ("        is_candidate <= rotated(is_candidate);\n", ""),
         ("          is_candidate <= rotated(is_next);\n", ""),
         ("        is_candidate <= rotated(is_oldest);\n      elsif done", "      elsif done"),
-        // A job is taken although the query before it fails in that clock.
+        ("(occupied and is_candidate and not admitted)", "(occupied and is_candidate)"),
+        // A job is taken although the query before it fails, or all is forgotten in that clock.
+        ("        now_taken := '0';\n        job_found <=", "        job_found <="),
         (
             "        now_taken := '0';\n        started_pulse <= '0';\n        for lane",
             "        started_pulse <= '0';\n        for lane",

@@ -278,6 +278,9 @@ fn pairs_are_asked_for_in_order_and_counted() {
         ("goes := leaves or (comes and may_pass);", "goes := leaves;"),
         ("not (some_wait(lane) or held)) = '1';", "not some_wait(lane)) = '1';"),
         ("(is_front(lane) and some_wait(lane) and fetches)", "(is_front(lane) and fetches)"),
+        ("if comes and not (leaves or may_pass) then", "if comes and not leaves then"),
+        ("if comes and not (leaves or may_pass) then", "if comes and not may_pass then"),
+        ("elsif leaves and not comes then", "elsif leaves then"),
         ("if goes and reset = '0' then", "if goes and not comes and reset = '0' then"),
         // One that was asked for is not counted, or counted twice; nothing waits for it.
         ("asked_one <= asked and not reset;", "asked_one <= asked and not (triangles_taken or reset);"),

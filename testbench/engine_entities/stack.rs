@@ -51,6 +51,8 @@ fn stack(entity: &mut Entity) -> Outcome {
 fn the_stack_is_a_stack() {
     let changes = [
         ("third <= pushed_over when last_was_push = '1' else remembered;", "third <= remembered;"),
+        ("second_pushed when last_was_push = '1' else second_popped;", "second_popped;"),
+        ("second_pushed when last_was_push = '1' else second_popped;", "second_pushed;"),
         ("push_place <= push_place - 1;", "push_place <= push_place;"),
         ("elsif pop = '1' then\n        top", "elsif shrinks = '0' then\n        top"),
     ];

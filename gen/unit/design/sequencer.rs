@@ -87,7 +87,8 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     let last_next = slots.phase.map(|phase| phase.is(interval as i128 - 2));
     // A pair that waits for a place is loaded again in each slot: so what enables its registers, of which some are far from the
     // others, is not the end of the logic that accepts, but a register. An offer that stays is looked at a clock before the last
-    // phase; else they load whether a pair is offered or not, and what is none goes into no answer.
+    // phase; else they load whether a pair is offered or not, and what is no pair goes into no answer. Where a slot has one clock
+    // the offer itself enables them.
     let (offered, load) = match (slots.last, last_next) {
         (Some(_), Some(last_next)) if stays => {
             let offered = m.register("offered_in_time", Type::FLAG);
