@@ -89,6 +89,9 @@ fn caches_give_and_replace_lines() {
     let changes = [
         ("reads_line <= order_valid and not order(place_bits)", "reads_line <= order_valid"),
         ("order(place_bits) <= '0';", "null;"),
+        // Words of a line in one place, or a line that ends too soon.
+        ("at_word((i + 1) mod words_per_line) <= at_word(i);", "null;"),
+        ("writes and at_word(words_per_line - 1);", "writes and at_word(words_per_line - 2);"),
         ("if judged = '1' and judged_at(", "if judged = '0' and judged_at("),
         // A tag is read in the clock in which it is written.
         ("not (sweeping or missed_before) and", "not sweeping and"),
