@@ -128,7 +128,7 @@ architecture rtl of engine_block_cache is
   signal moves : std_logic;
   signal word_valid : std_logic := '0';
   signal word : std_logic_vector(word_bits - 1 downto 0) := (others => '0');
-  signal word_place : unsigned(3 downto 0) := "0000";
+  signal at_word : std_logic_vector(words_per_line - 1 downto 0) := (0 => '1', others => '0');  -- where it goes in its line, a flag for each place
   signal writes : std_logic;
   signal last_word : std_logic;
   type lines is array (0 to line_count - 1) of std_logic_vector(word_bits - 1 downto 0);
@@ -293,7 +293,7 @@ begin
   comes_forward <= line_read and line_free;
   reads_line <= order_valid and not order(place_bits) and (line_free or not line_read);
   writes <= word_valid and order_valid and order(place_bits);
-  last_word <= writes when word_place = words_per_line - 1 else '0';
+  last_word <= writes and at_word(words_per_line - 1);
   line_valid <= found;
   whole <= line_word(7)
     & line_word(6)
@@ -336,7 +336,7 @@ begin
         order_valid <= '0';
         line_read <= '0';
         found <= '0';
-        word_place <= "0000";
+        at_word <= (0 => '1', others => '0');
       else
         if queued = '1' then
           order_in <= order_in + 1;
@@ -378,10 +378,9 @@ begin
           found <= '0';
         end if;
         if writes = '1' then
-          word_place <= word_place + 1;
-          if last_word = '1' then
-            word_place <= "0000";
-          end if;
+          for i in 0 to words_per_line - 1 loop
+            at_word((i + 1) mod words_per_line) <= at_word(i);
+          end loop;
         end if;
       end if;
     end if;
@@ -392,7 +391,7 @@ begin
     attribute ram_style of bank : signal is "block";
     signal written : std_logic;
   begin
-    written <= writes when word_place = i else '0';
+    written <= writes and at_word(i);
 
     store : process (clk)
     begin
