@@ -197,7 +197,7 @@ begin
 
   count : process (clk)
     variable comes : boolean;
-    variable leaves : boolean;
+    variable is_fetched : boolean;
     variable may_pass : boolean;
     variable goes : boolean;
     variable kept : unsigned(place_bits downto 0);
@@ -211,9 +211,9 @@ begin
       for lane in 0 to lanes - 1 loop
         comes := accepts = '1' and unsigned(pair_lane) = lane;
         -- One is fetched, or one that comes would pass by: of what the clock knows first, as much hangs on it.
-        leaves := (is_front(lane) and some_wait(lane) and fetches) = '1';
+        is_fetched := (is_front(lane) and some_wait(lane) and fetches) = '1';
         may_pass := (is_front(lane) and not (some_wait(lane) or held)) = '1';
-        goes := leaves or (comes and may_pass);
+        goes := is_fetched or (comes and may_pass);
         pair_left(lane) <= '0';
         if goes and reset = '0' then
           pair_left(lane) <= '1';
@@ -235,12 +235,12 @@ begin
         if goes then
           waiting(lane) <= left;
         end if;
-        if comes and not (leaves or may_pass) then
+        if comes and not (is_fetched or may_pass) then
           some_wait(lane) <= '1';
           if waiting(lane) = places - 2 then
             full(lane) <= '1';
           end if;
-        elsif leaves and not comes then
+        elsif is_fetched and not comes then
           if waiting(lane) = places - 1 then
             full(lane) <= '0';
           end if;

@@ -372,7 +372,7 @@ impl Sheet<'_> {
         self.entity("engine_children", 2 * 32 + node + codes * (parts_of_code + 1) + tags + 4, &[], &chains, luts)
     }
 
-    /// Three entries, and places.
+    /// Four entries, and places.
     fn stack(&self) -> Entity {
         let (entry, places, place) =
             (self.values.traversal.entry_bits, self.values.traversal.stack_places, self.values.traversal.stack_bits);

@@ -5,8 +5,9 @@
 //! `strobe`. A multiplexer that takes two clocks chooses among the operands of each group (`name_group_<g>`) by
 //! `select_in_group_at_<p>`, then among the groups by `select_group_at_<p>`.
 //!
-//! A slot without a pair leaves products at rest if the inputs rest: what selects moves on only while `busy_<n>` is set, which is from the clock
-//! before clock n of a pair on, for a slot, and there are strobes only while some pair is in the data path.
+//! A slot without a pair leaves products at rest if the inputs rest: what selects moves on only while `busy_<n>` is set,
+//! which is from the clock before clock n of a pair on, for a slot, and there are strobes only while some pair is in the
+//! data path.
 //!
 //! Where a multiplexer chooses among values captured of one stream, and the device has delay lines with a tap, it becomes such
 //! a line (`{name}_line`), which is read at `select_tap_at_<p>` clocks: one look-up table per bit in place of a register for
