@@ -2,7 +2,7 @@
 //!
 //! VHDL, then GHDL, then Verilog ([`verilog`]), then Yosys ([`yosys`]) with one synthesis an entity, so that every count
 //! belongs to a unit of ours. Netlists of cells are read and written in [`netlist`] and [`product_registers`]. For the ECP5
-//! there is a second synthesis of the whole, whose product registers move into the multipliers, placed and
+//! there is a second synthesis of the whole, whose registers move into multipliers and memories (`memory_registers`), placed and
 //! routed with several seeds.
 
 mod cells;
@@ -12,6 +12,7 @@ mod critical_path;
 mod error;
 mod flow;
 mod harness;
+mod memory_registers;
 #[doc(hidden)]
 pub mod netlist;
 #[doc(hidden)]

@@ -8,8 +8,8 @@
 //! flip-flop or a multiplier, these move there: what multipliers far apart have shared is then copied ([`pack_operands`]). Registers
 //! behind logic or a memory stay beside it.
 
-use super::ToolError;
 use super::netlist::{Bit, Cell, Level, Module, Netlist, is_flip_flop};
+use super::{ToolError, memory_registers};
 use efsat_hardware::device::Family;
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
@@ -348,7 +348,7 @@ pub fn pack_operands(netlist: &mut Netlist) -> u64 {
     packed
 }
 
-/// [`pack`], and on the ECP5 [`pack_operands`], on a netlist that Yosys has written to `from`; the changed one is written to `to`.
+/// [`pack`], and on the ECP5 [`pack_operands`] and that of memories, on a netlist that Yosys has written to `from`; the changed one is written to `to`.
 ///
 /// # Errors
 /// What cannot be read or written.
@@ -357,6 +357,7 @@ pub fn pack_file(from: &Path, to: &Path, family: Family) -> Result<(), ToolError
     pack(&mut netlist, family);
     if family == Family::Ecp5 {
         pack_operands(&mut netlist);
+        memory_registers::pack(&mut netlist);
     }
     netlist.write(to)
 }

