@@ -18,7 +18,7 @@ entity sequencer is
     phase          : out std_logic;
     load_pair      : out std_logic := '1';  -- the last phase, in which hundreds of registers load; set in reset and in the first clock after, where nothing is accepted
     holds          : out std_logic_vector(17 downto 0);
-    in_ready       : out std_logic;
+    in_ready       : out std_logic;  -- the last phase, and a place is free
     accept         : out std_logic;
     decide         : out std_logic;
     out_valid      : out std_logic;
@@ -32,22 +32,17 @@ entity sequencer is
 end entity sequencer;
 
 architecture rtl of sequencer is
-  signal running : std_logic := '0';  -- clear in reset and in the first clock after: nothing is accepted
   signal phase_i : std_logic := '0';
   signal last_phase : std_logic := '0';  -- set in phase 1
   signal accepted : unsigned(5 downto 0) := (others => '0');
-  signal accepted_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
-  signal accepted_moved : std_logic := '0';
   signal taken : unsigned(5 downto 0) := (others => '0');
   signal taken_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
   signal taken_moved : std_logic := '0';
   signal decided : unsigned(5 downto 0) := (others => '0');
   signal taken_turned : unsigned(5 downto 0);
-  signal full_if_moved : std_logic := '0';
-  signal full_if_still : std_logic := '0';
-  signal full : std_logic;
-  signal accepts : std_logic;
   signal phase_equal : std_logic;
+  signal full : std_logic;
+  signal accepts : std_logic := '0';  -- the last phase, and a place is free
   signal accept_pair : std_logic;
   signal holds_i : std_logic_vector(17 downto 0) := (others => '0');
   signal decide_phase : std_logic := '0';  -- set in phase 0
@@ -66,9 +61,8 @@ architecture rtl of sequencer is
   signal pose_pending_next : std_logic;
 begin
   taken_turned <= taken + 32;
-  full <= full_if_moved when accepted_moved = '1' else full_if_still;
-  accepts <= running and last_phase and not full;
   phase_equal <= flag(phase_i = '0');
+  full <= flag(known(accepted) = known(taken_turned));
   accept_pair <= in_valid and accepts;
   decide_pair <= holds_i(17) and decide_phase;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
@@ -86,13 +80,10 @@ begin
   begin
     if rising_edge(clk) then
       if reset = '1' then
-        running <= '0';
         phase_i <= '0';
         last_phase <= '0';
-        accepted_moved <= '0';
         taken_moved <= '0';
-        full_if_moved <= '0';
-        full_if_still <= '0';
+        accepts <= '0';
         decide_phase <= '0';
         empty_if_moved <= '1';
         empty_if_still <= '1';
@@ -102,17 +93,14 @@ begin
         pose_pending <= '0';
         load_pair <= '1';
       else
-        running <= '1';
         if phase_i = '1' then
           phase_i <= '0';
         else
           phase_i <= '1';
         end if;
         last_phase <= flag(phase_i = '0');
-        accepted_moved <= accept_pair;
         taken_moved <= take_pair;
-        full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
-        full_if_still <= flag(known(accepted) = known(taken_turned));
+        accepts <= phase_equal and not full;
         decide_phase <= flag(phase_i = '1');
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
@@ -124,10 +112,8 @@ begin
       end if;
       if reset = '1' then
         accepted <= to_unsigned(0, 6);
-        accepted_ahead <= to_unsigned(1, 6);
       elsif accept_pair = '1' then
-        accepted <= accepted_ahead;
-        accepted_ahead <= accepted_ahead + 1;
+        accepted <= accepted + 1;
       end if;
       if reset = '1' then
         taken <= to_unsigned(0, 6);

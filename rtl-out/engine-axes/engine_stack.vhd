@@ -49,6 +49,7 @@ architecture rtl of engine_stack is
   signal filled_now : std_logic := '0';
   signal several : std_logic := '0';  -- two or more
   signal many_now : std_logic := '0';
+  signal four : std_logic := '0';  -- or more
   signal most : unsigned(place_bits downto 0) := (others => '0');
 begin
   filled <= filled_now;
@@ -96,6 +97,7 @@ begin
         filled_now <= '0';
         several <= '0';
         many_now <= '0';
+        four <= '0';
         push_place <= to_unsigned(places - 2, place_bits);
         pop_place <= to_unsigned(places - 4, place_bits);
         most <= (others => '0');
@@ -108,18 +110,16 @@ begin
             filled_now <= '1';
             several <= filled_now;
             many_now <= several;
+            four <= many_now;
             push_place <= push_place + 1;
             pop_place <= pop_place + 1;
           else
             used <= used - 1;
-            if used = 1 then
-              filled_now <= '0';
-            end if;
-            if used = 2 then
-              several <= '0';
-            end if;
-            if used = 3 then
-              many_now <= '0';
+            filled_now <= several;
+            several <= many_now;
+            many_now <= four;
+            if used = 4 then
+              four <= '0';
             end if;
             push_place <= push_place - 1;
             pop_place <= pop_place - 1;

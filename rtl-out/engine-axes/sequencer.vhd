@@ -18,7 +18,7 @@ entity sequencer is
     phase          : out unsigned(3 downto 0);
     load_pair      : out std_logic := '1';  -- the last phase, in which hundreds of registers load; set in reset and in the first clock after, where nothing is accepted
     holds          : out std_logic_vector(5 downto 0);
-    in_ready       : out std_logic;
+    in_ready       : out std_logic;  -- the last phase, and a place is free
     accept         : out std_logic;
     decide         : out std_logic;
     out_valid      : out std_logic;
@@ -33,22 +33,17 @@ end entity sequencer;
 
 architecture rtl of sequencer is
   constant phase_entry_table : numbers_t(0 to 15) := (1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0, others => 0);
-  signal running : std_logic := '0';  -- clear in reset and in the first clock after: nothing is accepted
   signal phase_i : unsigned(3 downto 0) := (others => '0');
   signal last_phase : std_logic := '0';  -- set in phase 10
   signal accepted : unsigned(4 downto 0) := (others => '0');
-  signal accepted_ahead : unsigned(4 downto 0) := to_unsigned(1, 5);
-  signal accepted_moved : std_logic := '0';
   signal taken : unsigned(4 downto 0) := (others => '0');
   signal taken_ahead : unsigned(4 downto 0) := to_unsigned(1, 5);
   signal taken_moved : std_logic := '0';
   signal decided : unsigned(4 downto 0) := (others => '0');
   signal taken_turned : unsigned(4 downto 0);
-  signal full_if_moved : std_logic := '0';
-  signal full_if_still : std_logic := '0';
-  signal full : std_logic;
-  signal accepts : std_logic;
   signal phase_equal : std_logic;
+  signal full : std_logic;
+  signal accepts : std_logic := '0';  -- the last phase, and a place is free
   signal accept_pair : std_logic;
   signal holds_i : std_logic_vector(5 downto 0) := (others => '0');
   signal decide_phase : std_logic := '0';  -- set in phase 3
@@ -67,9 +62,8 @@ architecture rtl of sequencer is
   signal pose_pending_next : std_logic;
 begin
   taken_turned <= taken + 16;
-  full <= full_if_moved when accepted_moved = '1' else full_if_still;
-  accepts <= running and last_phase and not full;
   phase_equal <= flag(known(phase_i) = 9);
+  full <= flag(known(accepted) = known(taken_turned));
   accept_pair <= in_valid and accepts;
   decide_pair <= holds_i(5) and decide_phase;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
@@ -87,13 +81,10 @@ begin
   begin
     if rising_edge(clk) then
       if reset = '1' then
-        running <= '0';
         phase_i <= to_unsigned(0, 4);
         last_phase <= '0';
-        accepted_moved <= '0';
         taken_moved <= '0';
-        full_if_moved <= '0';
-        full_if_still <= '0';
+        accepts <= '0';
         decide_phase <= '0';
         empty_if_moved <= '1';
         empty_if_still <= '1';
@@ -103,13 +94,10 @@ begin
         pose_pending <= '0';
         load_pair <= '1';
       else
-        running <= '1';
         phase_i <= to_unsigned(phase_entry_table(to_integer(known(phase_i))), 4);
         last_phase <= flag(known(phase_i) = 9);
-        accepted_moved <= accept_pair;
         taken_moved <= take_pair;
-        full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
-        full_if_still <= flag(known(accepted) = known(taken_turned));
+        accepts <= phase_equal and not full;
         decide_phase <= flag(known(phase_i) = 2);
         empty_if_moved <= flag(known(taken_ahead) = known(decided));
         empty_if_still <= flag(known(taken) = known(decided));
@@ -121,10 +109,8 @@ begin
       end if;
       if reset = '1' then
         accepted <= to_unsigned(0, 5);
-        accepted_ahead <= to_unsigned(1, 5);
       elsif accept_pair = '1' then
-        accepted <= accepted_ahead;
-        accepted_ahead <= accepted_ahead + 1;
+        accepted <= accepted + 1;
       end if;
       if reset = '1' then
         taken <= to_unsigned(0, 5);

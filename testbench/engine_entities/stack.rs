@@ -2,8 +2,8 @@
 
 use super::*;
 
-/// Pushes, pops, both in one clock and clears, in runs that fill and empty it; what is on top, whether anything is, and the
-/// greatest number of entries.
+/// Pushes, pops, both in one clock and clears, in runs that fill and empty it; what is on top, whether anything is, whether
+/// three are, and the greatest number of entries.
 fn stack(entity: &mut Entity) -> Outcome {
     let mut rng = random(1);
     let mut entries: Vec<u64> = vec![];
@@ -27,6 +27,7 @@ fn stack(entity: &mut Entity) -> Outcome {
         }
         entity.settle();
         expect(entity.is("filled") != entries.is_empty(), clock, "filled")?;
+        expect(entity.is("many") == (entries.len() >= 3), clock, "many")?;
         let top = entity.get("top_entry");
         expect(entries.last().is_none_or(|&last| last == top), clock, "top_entry")?;
         expect(entity.get("greatest") == most, clock, "greatest")?;
@@ -54,6 +55,10 @@ fn the_stack_is_a_stack() {
         ("second_pushed when last_was_push = '1' else second_popped;", "second_popped;"),
         ("second_pushed when last_was_push = '1' else second_popped;", "second_pushed;"),
         ("push_place <= push_place - 1;", "push_place <= push_place;"),
+        ("filled_now <= several;", "filled_now <= many_now;"),
+        ("many_now <= four;", "many_now <= '0';"),
+        ("if used = 4 then", "if used = 5 then"),
+        ("four <= many_now;", "four <= several;"),
         ("elsif pop = '1' then\n        top", "elsif shrinks = '0' then\n        top"),
     ];
     tried(&small(Memory::Axi), "engine_stack", &changes, stack);

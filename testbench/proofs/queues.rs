@@ -124,7 +124,7 @@ impl Cascade {
             (WrongGate, "decide_pair"),
             (Inverted, "valid"),
             (NotMissing, "output_free"),
-            (WrongArm, "full"),
+            (Inverted, "full"),
         ]);
         claim
     }
@@ -167,11 +167,11 @@ begin
         let phase = slot.next_power_of_two().trailing_zeros();
         claim.see(&[("queue.pushed", w), ("queue.popped", w), ("queue.popped_ahead", w), ("queue_valid", 1)]);
         claim.see(&[("queue.popped_moved", 1), ("oldest", 15 * width)]);
-        claim.see(&[("control.accepted", pointer), ("control.accepted_ahead", pointer), ("control.decided", pointer)]);
+        claim.see(&[("control.accepted", pointer), ("control.decided", pointer)]);
         claim.see(&[("control.taken", pointer), ("control.taken_ahead", pointer)]);
-        claim.see(&[("control.running", 1), ("control.phase_i", phase), ("control.last_phase", 1)]);
+        claim.see(&[("control.accepts", 1), ("control.phase_i", phase), ("control.last_phase", 1)]);
         claim.see(&[("control.offered_in_time", 1)]);
-        claim.see(&[("control.decide_phase", 1), ("control.full", 1), ("control.empty", 1), ("control.offered", 1)]);
+        claim.see(&[("control.decide_phase", 1), ("control.empty", 1), ("control.offered", 1)]);
         claim.see(&[("control.holds", ages as u32), ("path.stages", w * latency as u32), ("path.payload", w)]);
         claim.words = vec![("open_fitted0_x_words", places, width), ("result_queue_words", PLACES, 19)];
         claim.ports =
@@ -196,7 +196,7 @@ begin
   wire [{top}:0] visible = pushed_prev - queue_popped, newest = queue_popped - 1;
   wire [{p}:0] inside = control_accepted - control_taken, done = control_decided - control_taken;
   wire [{p}:0] in_path = control_accepted - control_decided, full_at = taken_prev + {PLACES}, given = control_taken - control_offered;
-  wire [{p}:0] accepted_ahead = control_accepted_ahead - control_accepted, taken_ahead = control_taken_ahead - control_taken;
+  wire [{p}:0] taken_ahead = control_taken_ahead - control_taken;
   wire [{p}:0] taken_lag = control_taken - taken_prev, decided_lag = control_decided - decided_prev, seen = decided_prev - control_taken;
   wire [{top}:0] read = oldest[{low} +: {w}];
   wire in_last = control_holds[{old}] && control_phase_i <= {decides};
@@ -212,7 +212,7 @@ begin
     fn counters(&self, claim: &mut Invariant) {
         let Self { places, bits: w, latency, slot, .. } = *self;
         let pointer = PLACES.trailing_zeros() + 1;
-        claim.shown(["ahead == 1", "accepted_ahead == 1", "taken_ahead == 1", "begun <= in_use", "pushed_lag <= 1"]);
+        claim.shown(["ahead == 1", "taken_ahead == 1", "begun <= in_use", "pushed_lag <= 1"]);
         claim.shown(["taken_lag <= 1", "decided_lag <= 1", "visible <= waiting", "seen <= done", "done <= inside"]);
         claim.shown([
             format!("in_use <= {places}"),
@@ -226,7 +226,7 @@ begin
         ]);
         claim.shown(["begun == inside + control_offered", "queue_valid == (queue_popped != pushed_prev)"]);
         claim.shown([
-            "control_full == (control_accepted == full_at)",
+            "control_accepts == (control_last_phase && control_accepted != full_at)",
             "control_empty == (control_taken == decided_prev)",
         ]);
         claim.shown([
@@ -234,7 +234,6 @@ begin
             format!("control_last_phase == (control_phase_i == {})", slot - 1),
             format!("!control_decide_phase || control_phase_i == {}", latency % slot),
             format!("control_decide_phase || control_phase_i != {} || control_holds == 0", latency % slot),
-            "control_running || control_phase_i == 0".to_owned(),
             "!control_offered_in_time || (control_last_phase && queue_valid)".to_owned(),
         ]);
     }
@@ -280,8 +279,7 @@ pub fn answers(params: &Params) -> Invariant {
     let mut claim = Invariant::new("sequencer", "answers in order, none lost, each in time", sizes, files);
     claim.ports = inputs.iter().chain(&outputs).map(|name| format!(".{name}({name})")).collect();
     claim.inputs = inputs;
-    claim.see(&[("accepted", w), ("accepted_ahead", w), ("decided", w), ("taken", w), ("taken_ahead", w)]);
-    claim.see(&[("full", 1), ("empty", 1), ("output_free", 1)]);
+    claim.see(&[("accepted", w), ("decided", w), ("taken", w), ("taken_ahead", w), ("empty", 1), ("output_free", 1)]);
     let (in_path, oldest) = in_data_path(&mut claim, latency, slot);
     let _ = write!(
         claim.body,
@@ -289,7 +287,7 @@ pub fn answers(params: &Params) -> Invariant {
   reg [{p}:0] taken_prev = 0, decided_prev = 0; reg kept = 0; reg [9:0] waited = 0;
   wire [{p}:0] inside = accepted - taken, done = decided - taken, in_path = accepted - decided, full_at = taken_prev + {places};
   wire [{p}:0] taken_lag = taken - taken_prev, decided_lag = decided - decided_prev, seen = decided_prev - taken;
-  wire [{p}:0] accepted_next = accepted_ahead - accepted, taken_next = taken_ahead - taken;
+  wire [{p}:0] taken_next = taken_ahead - taken;
   wire [9:0] remaining = done != 0 ? empty : {oldest};
   always @(posedge clk)
     if (reset) begin
@@ -302,8 +300,18 @@ pub fn answers(params: &Params) -> Invariant {
         a = w - 2,
         p = w - 1,
     );
-    claim.shown(["accepted_next == 1", "taken_next == 1", "taken_lag <= 1", "decided_lag <= 1", "seen <= done"]);
-    claim.shown(["full == (accepted == full_at)", "empty == (taken == decided_prev)", "done <= inside"]);
+    claim.shown(["taken_next == 1", "taken_lag <= 1", "decided_lag <= 1", "seen <= done"]);
+    claim.shown(["empty == (taken == decided_prev)", "done <= inside"]);
+    if slot == 1 {
+        claim.see(&[("accepted_ahead", w), ("full", 1)]);
+        let _ = writeln!(claim.body, "  wire [{}:0] accepted_next = accepted_ahead - accepted;", w - 1);
+        claim.shown(["accepted_next == 1", "full == (accepted == full_at)"]);
+        claim.mutants(&[(WrongGate, "accepts"), (WrongArm, "full")]);
+    } else {
+        claim.see(&[("accepts", 1)]);
+        claim.shown(["accepts == (last_phase && accepted != full_at)"]);
+        claim.mutants(&[(Inverted, "full")]);
+    }
     claim.shown([format!("inside <= {places}"), format!("inside + taken_lag <= {places}")]);
     claim.shown([format!("in_path == {in_path}"), format!("!accept || inside < {places}")]);
     claim.shown(["!decide || in_path != 0", "!take || done != 0", "!kept || out_valid"]);
@@ -312,7 +320,7 @@ pub fn answers(params: &Params) -> Invariant {
             .map(|(word, count)| format!("{word}_address == {count}[{}:0]", w - 2)),
     );
     claim.shown([format!("waited + remaining <= {}", latency + 3)]);
-    claim.mutants(&[(WrongGate, "accepts"), (WrongArm, "full"), (WrongArm, "empty"), (NotMissing, "output_free")]);
+    claim.mutants(&[(WrongArm, "empty"), (NotMissing, "output_free")]);
     claim.mutants(&[(WrongGate, "accept_pair"), (WrongGate, "take_pair")]);
     claim
 }
@@ -330,14 +338,13 @@ fn in_data_path(claim: &mut Invariant, latency: usize, slot: usize) -> (String, 
     }
     let (ages, decides) = (latency / slot + 1, latency % slot);
     let phase = slot.next_power_of_two().trailing_zeros();
-    claim.see(&[("running", 1), ("phase_i", phase), ("last_phase", 1), ("decide_phase", 1), ("holds", ages as u32)]);
+    claim.see(&[("phase_i", phase), ("last_phase", 1), ("decide_phase", 1), ("holds", ages as u32)]);
     let _ = writeln!(claim.body, "  wire in_last = holds[{}] && phase_i <= {decides};", ages - 1);
     claim.shown([
         format!("phase_i < {slot}"),
         format!("last_phase == (phase_i == {})", slot - 1),
         format!("!decide_phase || phase_i == {decides}"),
         format!("decide_phase || phase_i != {decides} || holds == 0"),
-        "running || phase_i == 0".to_owned(),
     ]);
     let name = |age: usize| if age + 1 == ages { "in_last".to_owned() } else { format!("holds[{age}]") };
     let names: Vec<String> = (0..ages).map(name).collect();

@@ -65,12 +65,10 @@ const IDLE: &str = "the bypass changes between slots only, and there the row is 
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
 const HELD: &str = "the input is held for a slot, and the copy is read in the clock in which it equals the original";
 const UNUSED: &str = "most designs do not call this function for values of this type";
-const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
 const POPPED: &str = "valid counts in the last phase only, ten clocks or more after the last pop, and after reset";
 const ROOM: &str =
     "the next push writes the place again, and never do pairs wait in all places: one is popped in every slot";
 const NOT_YET: &str = "in the clock after reset nothing is accepted and no pair is held, and then it is set anew";
-const RUNNING: &str = "last_phase is first set many clocks after reset, when running is long set";
 const AFTER_RESET: &str = "shows in the first clock after a reset alone; `protocol::` asks there";
 const STANDS: &str = "the pointer stands still in the clocks before a pair is accepted";
 const FROM_RESET: &str = "vectors begin with a pose; `protocol::` asks for the bypass after a reset";
@@ -93,17 +91,10 @@ const VHDL: &[Explanation] = &[
     hidden("efsat_types:choose:operand:if_clear -> if_set", UNUSED),
     hidden("efsat_types:choose:* #3", UNUSED),
     same("sequencer:full_if_moved:constant:'0' -> '1'", NONE_YET),
-    same_in_several("sequencer:full:*:full_if_moved -> *", LAST_PHASE),
-    same_in_several("sequencer:full_if_moved:*", LAST_PHASE),
-    same_in_several("sequencer:accepted_moved:constant:'0' -> '1'", LAST_PHASE),
-    same_in_several("sequencer:accepted_moved:delay:a register too many", LAST_PHASE),
-    same_in_several("sequencer:accepted_ahead:delay:a register too many", LAST_PHASE),
     same_in_several("sequencer:last_phase:constant:'0' -> '1'", NOT_YET),
     same_in_several("sequencer:load_pair:constant:'1' -> '0'", NOT_YET),
     same_in_several("efsat:tag_address:delay:a register too many", STANDS),
     hidden("efsat:active_bypass:constant:'1' -> '0'", FROM_RESET),
-    same("sequencer:running:constant:'0' -> '1'", RUNNING),
-    same("sequencer:running:delay:a register too many", RUNNING),
     hidden("sequencer:takes_pose:constant:'0' -> '1'", AFTER_RESET),
     hidden("sequencer:pose_load:constant:'0' -> '1'", AFTER_RESET),
     same("sequencer:empty_if_moved:constant:'1' -> '0'", NOT_MOVED),
@@ -262,7 +253,7 @@ mod tests {
         let cascade = Params { exact_clocks: Some(16), ..single.clone() };
         let found = |params: &Params, name: &str| vhdl(params).find(name).is_some();
         let any = "left_out_coordinate:seen:operand:not flag(x) exchanged";
-        let several = "sequencer:full:case:full_if_moved -> full_if_still, the next arm";
+        let several = "sequencer:last_phase:constant:'0' -> '1'";
         assert!(found(&single, any) && found(&cascade, any) && found(&cascade, &format!("exact_{any}")));
         assert!(!found(&single, &format!("exact_{any}")));
         assert!(!found(&cascade, several) && found(&cascade, &format!("exact_{several}")));

@@ -380,7 +380,7 @@ impl Sheet<'_> {
         let compares = self.of([1, 7, 1]);
         let chains = [(1, place + 1), (2, place), (1, place * compares / 2 + 1)];
         let memory = (RegisteredInPlace, places, entry);
-        self.entity("engine_stack", 4 * entry + 4 * place + 6, &[memory], &chains, luts)
+        self.entity("engine_stack", 4 * entry + 4 * place + 7, &[memory], &chains, luts)
     }
 
     /// For each lane the places of its queue, and the pairs that are asked for and not answered.

@@ -64,27 +64,38 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     let pose_valid = pose.then(|| m.input("pose_valid", Type::FLAG));
     let out_ready = m.input("out_ready", Type::FLAG);
     let head_ready = waits.then(|| m.input("head_ready", Type::FLAG));
-    let running = m.register("running", Type::FLAG);
-    running.comment("clear in reset and in the first clock after: nothing is accepted").loads(
-        m.constant(1, Type::FLAG),
-        None,
-        Some((reset, 0)),
-    );
     let slots = Slots::new(&m, reset, interval);
+    // Where a slot has several clocks nothing is accepted before its last phase.
+    let running = (interval == 1).then(|| {
+        let running = m.register("running", Type::FLAG);
+        running.loads(m.constant(1, Type::FLAG), None, Some((reset, 0)));
+        running.comment("clear in reset and in the first clock after: nothing is accepted")
+    });
     if let Some(phase) = slots.phase {
         phase.output(PHASE);
     }
 
     // Queue pointers, one bit longer than the address to tell full from empty.
     let ty = Type::unsigned(address + 1);
-    let accepted = Pointer::new(&m, "accepted", ty);
-    let taken = Pointer::new(&m, "taken", ty);
-    let decided = m.register("decided", ty);
+    let accepted = if running.is_some() { Pointer::ahead } else { Pointer::new }(&m, "accepted", ty);
+    let taken = Pointer::ahead(&m, "taken", ty);
+    let decided = Pointer::new(&m, "decided", ty);
     // The accepted count at which every place is promised.
     let turned = taken.count.plus(1 << address).named("taken_turned");
-    let full = accepted.meets("full", turned, (reset, 0));
-    let in_ready = (slots.last.map_or(running, |last| running & last) & !full).named("accepts");
     let last_next = slots.phase.map(|phase| phase.is(interval as i128 - 2));
+    let in_ready = match last_next {
+        // Nothing is accepted in the clock before the last phase, so what is full there is full in the last phase.
+        Some(last_next) => {
+            let full = accepted.count.apply(Equal, &[turned]).named("full");
+            let ready = m.register("accepts", Type::FLAG);
+            ready.loads(last_next & !full, None, Some((reset, 0)));
+            ready.comment("the last phase, and a place is free")
+        }
+        None => {
+            let full = accepted.meets("full", turned, (reset, 0));
+            (running.expect("a slot of one clock") & !full).named("accepts")
+        }
+    };
     // A pair that waits for a place is loaded again in each slot: so what enables its registers, of which some are far from the
     // others, is not the end of the logic that accepts, but a register. An offer that stays is looked at a clock before the last
     // phase; else they load whether a pair is offered or not, and what is no pair goes into no answer. Where a slot has one clock
@@ -115,10 +126,10 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
         holds.iter().enumerate().for_each(|(age, flag)| flag.output(Place::at(HOLDS, &[Step::Index(age)])));
     }
     let decide = slots.leaves(&holds, "decide_phase", latency as usize).named("decide_pair");
-    decided.loads(decided.plus(1), Some(decide), Some((reset, 0)));
+    decided.advance(decide, reset);
 
     // The output register: filled from the queue when it is empty or just being taken.
-    let empty = taken.meets("empty", decided, (reset, 1));
+    let empty = taken.meets("empty", decided.count, (reset, 1));
     let offered = m.register("offered", Type::FLAG);
     let free = (!offered | out_ready).named("output_free");
     let take = !empty & free;
@@ -132,7 +143,7 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     offered.output("out_valid");
     take.output("take");
     accepted.count.low(address).named("accept_place").output("accept_address");
-    decided.low(address).named("decide_place").output("decide_address");
+    decided.count.low(address).named("decide_place").output("decide_address");
     taken.count.low(address).named("take_place").output("take_address");
     if let Some(pose_valid) = pose_valid {
         pending_pose(&m, reset, pose_valid, last_next);
@@ -174,47 +185,61 @@ pub fn pointers(name: &str, depth: usize) -> Rc<Module> {
     let m = Control::new(name, vec!["The pointers of a queue that is never full when something is pushed.".to_owned()]);
     let [reset, push, pop] = ["reset", "push", "pop"].map(|name| m.input(name, Type::FLAG));
     let ty = Type::unsigned(address + 1);
-    let pushed = m.register("pushed", ty);
-    pushed.loads(pushed.plus(1), Some(push), Some((reset, 0)));
-    let popped = Pointer::new(&m, "popped", ty);
-    let empty = popped.meets("empty", pushed, (reset, 1));
+    let pushed = Pointer::new(&m, "pushed", ty);
+    pushed.advance(push, reset);
+    let popped = Pointer::ahead(&m, "popped", ty);
+    let empty = popped.meets("empty", pushed.count, (reset, 1));
     popped.advance(pop, reset);
     (!empty).named("holds_some").output("valid");
-    pushed.low(address).named("push_place").output("push_address");
+    pushed.count.low(address).named("push_place").output("push_address");
     popped.count.low(address).named("pop_place").output("pop_address");
     m.finish()
 }
 
-/// A queue pointer with its successor, and whether it moved in the last clock.
+/// A pointer of a queue.
 struct Pointer<'m> {
     m: &'m Control,
     count: Wire<'m>,
-    ahead: Wire<'m>,
+    ahead: Option<Ahead<'m>>,
+}
+
+/// Of a pointer that is compared as it is now: its successor, and whether it moved in the last clock.
+struct Ahead<'m> {
+    count: Wire<'m>,
     moved: Wire<'m>,
 }
 
 impl<'m> Pointer<'m> {
     fn new(m: &'m Control, name: &str, ty: Type) -> Self {
+        Self { m, count: m.register(name, ty), ahead: None }
+    }
+
+    fn ahead(m: &'m Control, name: &str, ty: Type) -> Self {
         let register = |part: &str, ty| m.register(format!("{name}{part}").as_str(), ty);
-        Self { m, count: register("", ty), ahead: register("_ahead", ty), moved: register("_moved", Type::FLAG) }
+        let pointer = Self::new(m, name, ty);
+        Self { ahead: Some(Ahead { count: register("_ahead", ty), moved: register("_moved", Type::FLAG) }), ..pointer }
     }
 
     /// Whether the pointer equals `other` as it was in the last clock. The comparison is registered; what happened meanwhile
     /// is known, so it is made for both cases, with the pointer and with its successor. `at_reset` is what it is with all
     /// pointers at zero.
     fn meets(&self, name: &str, other: Wire<'m>, at_reset: (Wire<'m>, i128)) -> Wire<'m> {
+        let ahead = self.ahead.as_ref().expect("a pointer with its successor");
         let registered = |case: &str, pointer: Wire<'m>| {
             let flag = self.m.register(format!("{name}_if_{case}").as_str(), Type::FLAG);
             flag.loads(pointer.apply(Equal, &[other]), None, Some(at_reset));
             flag
         };
-        self.moved.choose(registered("moved", self.ahead), registered("still", self.count)).named(name)
+        ahead.moved.choose(registered("moved", ahead.count), registered("still", self.count)).named(name)
     }
 
     /// Connects the registers: the pointer moves on where `when` is set.
     fn advance(&self, when: Wire<'m>, reset: Wire<'m>) {
-        self.count.loads(self.ahead, Some(when), Some((reset, 0)));
-        self.ahead.loads(self.ahead.plus(1), Some(when), Some((reset, 1)));
-        self.moved.loads(when, None, Some((reset, 0)));
+        let next = self.ahead.as_ref().map_or_else(|| self.count.plus(1), |ahead| ahead.count);
+        self.count.loads(next, Some(when), Some((reset, 0)));
+        if let Some(ahead) = &self.ahead {
+            ahead.count.loads(ahead.count.plus(1), Some(when), Some((reset, 1)));
+            ahead.moved.loads(when, None, Some((reset, 0)));
+        }
     }
 }
