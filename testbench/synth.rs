@@ -10,7 +10,7 @@ use efsat::design::{Design, Probes};
 use efsat::device;
 use efsat::estimate;
 use efsat::evidence::cosim::{self, Netlist, Options, Simulator};
-use efsat::evidence::synth::{self, Flow, Placer, Report, Subject, verilog, yosys};
+use efsat::evidence::synth::{self, Flow, Placer, Report, Routed, Subject, verilog, yosys};
 use efsat::params::{Method, Params, Projections, Transform};
 use serde_json::Value;
 use std::path::Path;
@@ -116,12 +116,15 @@ fn a_mutated_netlist_is_noticed() {
     assert!(said.contains("efsat_tb: mismatch at vector"), "{said}");
 }
 
-fn report(params: &Params, seeds: u32, (placer, reroute): (Placer, bool), keep: Option<&Path>) -> Option<Report> {
+/// What places the cells, whether nets are routed again, and the clock that is asked for.
+type Way = (Placer, bool, Option<u32>);
+
+fn report(params: &Params, seeds: u32, (placer, reroute, route_for): Way, keep: Option<&Path>) -> Option<Report> {
     let (flow, keep) = (Flow::of(device::find(&params.device).unwrap()), keep.map(Path::to_owned));
     let design = Design::new(params, Probes::None).unwrap();
     let subject = Subject::Unit(&design);
     let limit = Duration::from_secs(600);
-    made(synth::run(&subject, "", &synth::Options { flow, seeds, limit, placer, reroute, keep }, &|_| ()))
+    made(synth::run(&subject, "", &synth::Options { flow, seeds, limit, route_for, placer, reroute, keep }, &|_| ()))
 }
 
 /// The counts of a unit are at least those of its parts.
@@ -142,7 +145,7 @@ fn smallest_on(device: &str) -> Params {
 #[test]
 fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
     for device in share(2, ["lfe5u-85-6", "lifcl-40-9"]) {
-        let Some(report) = report(&smallest_on(device), 0, (Placer::Static, false), None) else { return };
+        let Some(report) = report(&smallest_on(device), 0, (Placer::Static, false, None), None) else { return };
         let (predicted, cells) = (report.top.predicted, report.top.actual.unwrap());
         let multipliers = predicted.multipliers;
         assert_eq!((cells.resources.multipliers, cells.registered_multipliers), (multipliers, multipliers), "{device}");
@@ -153,10 +156,11 @@ fn multipliers_of_ecp5_and_nexus_are_the_predicted_with_their_registers() {
 #[test]
 #[ignore = "a minute or more: scripts/test full"]
 fn ecp5_is_placed_and_routed() {
-    for way in [(Placer::Static, true), (Placer::Heap, false)] {
+    for way in [(Placer::Static, true, None), (Placer::Heap, false, Some(60))] {
         let dir = TempDir::new().unwrap();
         let Some(report) = report(&smallest_on("lfe5u-85-6"), 1, way, Some(dir.path())) else { return };
         let routed = report.routed.as_ref().unwrap();
+        assert_eq!(routed.asked, way.2.unwrap_or(100));
         let seed = routed.middle().unwrap();
         assert!((20.0..500.0).contains(&seed.megahertz), "{routed:?}");
         let multipliers = report.cells().multipliers;
@@ -172,7 +176,8 @@ fn ecp5_is_placed_and_routed() {
             "{names:?}"
         );
         // A clock that is out of reach is a fault.
-        assert_eq!(report.faults(500).iter().filter(|fault| fault.contains("MHz instead of 500")).count(), 1);
+        let hopeless = Report { routed: Some(Routed { asked: 500, ..routed.clone() }), ..report };
+        assert_eq!(hopeless.faults().iter().filter(|fault| fault.contains("MHz instead of 500")).count(), 1);
     }
 }
 
@@ -263,6 +268,8 @@ fn wrong_options_are_told() {
         ("synth --flow ecp5 --minutes 0", "expected a whole number from 1 to 1440"),
         ("synth --placer heap", "--placer: flow yosys-xc2v ends after Yosys"),
         ("synth --reroute", "--reroute: flow yosys-xc2v ends after Yosys"),
+        ("synth --route-for 100", "--route-for: flow yosys-xc2v ends after Yosys"),
+        ("synth --flow ecp5 --route-for 1", "expected a whole number from 20 to 400"),
         ("synth --flow ecp5 --placer annealing", "expected one of static, heap"),
         ("synth --no-route", "--no-route: flow yosys-xc2v ends after Yosys"),
         ("synth --flow ecp5 --seeds 0", "expected a whole number from 1 to 32"),

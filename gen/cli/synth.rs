@@ -28,7 +28,7 @@ const MINUTES: u32 = 30;
 /// GHDL and Yosys map the VHDL entity by entity to a family's cells; flow ecp5 also maps the whole, moves the registers
 /// of products into the multipliers, and places and routes it with nextpnr for an LFE5U-85 of speed grade 6. Tools are
 /// looked for in the folder that EFSAT_TOOLS names, on PATH, and in target/tools/bin, where scripts/setup --synth
-/// installs them. Fails if the multipliers are not those predicted, or if the target clock is missed after routing.
+/// installs them. Fails if the multipliers are not those predicted, or if the clock is missed after routing.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// Family and tools [default: those for --device]
@@ -40,6 +40,10 @@ pub(super) struct Arguments {
     /// Minutes after which a placement is given up, which then counts as the slowest [default: 30]
     #[arg(long, value_name = "N", value_parser = whole(1..=1440), allow_negative_numbers = true)]
     minutes: Option<u32>,
+    /// Clock, in MHz, that placement and routing are asked for, and that counts: below the clock of the schedule it leaves
+    /// nets more time [default: that of --frequency]
+    #[arg(long, value_name = "MHZ", value_parser = whole(20..=400), allow_negative_numbers = true)]
+    route_for: Option<u32>,
     /// What places the cells: heap routes what static makes too dense, such as exact at a pair per clock [default: static]
     #[arg(long, value_name = "NAME", value_parser = choice::<Placer>())]
     placer: Option<Placer>,
@@ -47,10 +51,10 @@ pub(super) struct Arguments {
     #[arg(long)]
     reroute: bool,
     /// Stop after Yosys: no placement, no clock
-    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer", "reroute"])]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes", "route_for", "placer", "reroute"])]
     no_route: bool,
     /// The device model's counts and clock alone: no tool runs
-    #[arg(long, conflicts_with_all = ["seeds", "minutes", "placer", "reroute", "no_route", "keep"])]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes", "route_for", "placer", "reroute", "no_route", "keep"])]
     predict: bool,
     /// Leave sources, netlists, logs and reports in DIR
     #[arg(long, value_name = "DIR")]
@@ -79,6 +83,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("--no-route", arguments.no_route),
         ("--seeds", arguments.seeds.is_some()),
         ("--minutes", arguments.minutes.is_some()),
+        ("--route-for", arguments.route_for.is_some()),
         ("--placer", arguments.placer.is_some()),
         ("--reroute", arguments.reroute),
     ];
@@ -100,7 +105,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let limit = Duration::from_secs(60 * u64::from(arguments.minutes.unwrap_or(MINUTES)));
     let placer = arguments.placer.unwrap_or(Placer::Static);
     arguments.keep.iter().try_for_each(|dir| file::named(dir, "directory"))?;
-    let options = Options { flow, seeds, limit, placer, reroute: arguments.reroute, keep: arguments.keep.clone() };
+    let (route_for, reroute) = (arguments.route_for, arguments.reroute);
+    let options = Options { flow, seeds, limit, route_for, placer, reroute, keep: arguments.keep.clone() };
     let spinner = progress::spinner("synthesising");
     let step = |what: &str| spinner.set_message(what.to_owned());
     let report = synth::run(&subject, &command_line, &options, &step)?;
@@ -119,7 +125,7 @@ fn engine(arguments: &Arguments) -> Result<Option<EngineDesign>, Failure> {
 
 /// Prints a report; what is wrong with it is a failed check.
 fn show(report: &Report, params: &Params, json: bool) -> Result<(), Failure> {
-    let faults = report.faults(params.frequency);
+    let faults = report.faults();
     if json {
         print_json(&Summary::new(report, params, &faults))?;
     } else {

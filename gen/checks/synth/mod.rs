@@ -64,6 +64,8 @@ pub struct Options {
     pub seeds: u32,
     /// The time that one placement may take with its routing.
     pub limit: Duration,
+    /// The clock that placement and routing are asked for, in MHz; that of the schedule if none.
+    pub route_for: Option<u32>,
     /// What places the cells.
     pub placer: Placer,
     /// Whether nets of the longest paths are routed again, for a faster clock, where that ends.
@@ -122,8 +124,8 @@ impl Report {
     }
 
     /// What the prediction and the tools disagree about beyond what is tolerated, in words: any difference in
-    /// multipliers, and a target clock (in MHz) that is missed after routing.
-    pub fn faults(&self, target: u32) -> Vec<String> {
+    /// multipliers, and a clock that is missed after routing.
+    pub fn faults(&self) -> Vec<String> {
         let mut faults = vec![];
         let (predicted, actual) = (self.top.predicted.multipliers, self.cells().multipliers);
         if predicted != actual {
@@ -131,8 +133,10 @@ impl Report {
         }
         if let Some(routed) = &self.routed {
             match routed.median() {
-                Some(median) if median >= f64::from(target) => {}
-                Some(median) => faults.push(format!("{median:.1} MHz instead of {target} (median of the seeds)")),
+                Some(_) if routed.is_met() => {}
+                Some(median) => {
+                    faults.push(format!("{median:.1} MHz instead of {} (median of the seeds)", routed.asked))
+                }
                 None => {
                     let minutes = routed.limit.as_secs() / 60;
                     let other = match routed.reroute {
@@ -248,8 +252,8 @@ mod tests {
     fn another_placer_is_advised_where_one_does_not_end() {
         let limit = Duration::from_secs(60);
         let advice = |placer, reroute| {
-            let routed = Some(Routed { seeds: vec![None], limit, placer, reroute });
-            Report { routed, ..predicted(&Params::default()) }.faults(100).join("; ")
+            let routed = Some(Routed { asked: 100, seeds: vec![None], limit, placer, reroute });
+            Report { routed, ..predicted(&Params::default()) }.faults().join("; ")
         };
         assert!(advice(Placer::Static, false).contains("not routed in 1 minutes a seed; try --placer heap,"));
         assert!(advice(Placer::Heap, false).contains("try --placer static,"));

@@ -73,6 +73,8 @@ pub struct Placed {
 /// What all seeds reached.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Routed {
+    /// The clock that was asked for, in MHz.
+    pub asked: u32,
     /// One placement a seed, of seeds from 1 up; none where it did not end in time.
     pub seeds: Vec<Option<Placed>>,
     /// The time that one seed may take.
@@ -95,6 +97,11 @@ impl Routed {
     /// Clock of the median seed, MHz; none if that did not end in time.
     pub fn median(&self) -> Option<f64> {
         self.middle().map(|placed| placed.megahertz)
+    }
+
+    /// Whether it is at least what was asked for.
+    pub fn is_met(&self) -> bool {
+        self.median().is_some_and(|median| median >= f64::from(self.asked))
     }
 }
 
@@ -141,49 +148,46 @@ pub(super) fn whole(yosys: &Tool, harness: &str, dir: &Path) -> Result<(), ToolE
     product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED), Family::Ecp5)
 }
 
-/// Places and routes the whole for a clock in MHz with the seeds of the options, each within their limit of time.
+/// Places and routes the whole with the seeds of the options, each within their limit of time, for the clock of the options or, if
+/// there is none, for that of the schedule, in MHz.
 ///
 /// # Errors
 /// What nextpnr says; a missed clock is no error.
 pub(super) fn run(
     nextpnr: &Tool,
     names: &Names,
-    frequency: u32,
+    scheduled: u32,
     options: &Options,
     dir: &Path,
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Routed, ToolError> {
-    let &Options { seeds, limit, placer, reroute, .. } = options;
+    let &Options { seeds, limit, route_for, placer, reroute, .. } = options;
+    let asked = route_for.unwrap_or(scheduled);
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
     let done = AtomicU32::new(0);
     let say = |done: u32| step(&format!("nextpnr, {done} of {seeds} placements finished"));
     say(0);
     let seed = |seed: u32| {
-        let result = one(nextpnr, frequency, seed, options, dir, names);
+        let result = one(nextpnr, asked, seed, options, dir, names);
         say(1 + done.fetch_add(1, Ordering::Relaxed));
         result
     };
     let seeds = pool.install(|| (1..=seeds).into_par_iter().map(seed).collect::<Result<Vec<_>, _>>())?;
-    Ok(Routed { seeds, limit, placer, reroute })
+    Ok(Routed { asked, seeds, limit, placer, reroute })
 }
 
 fn one(
     nextpnr: &Tool,
-    frequency: u32,
+    asked: u32,
     seed: u32,
     options: &Options,
     dir: &Path,
     names: &Names,
 ) -> Result<Option<Placed>, ToolError> {
     let report = format!("report-{seed}.json");
-    let (number, frequency) = (seed.to_string(), frequency.to_string());
-    let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
-    let files = ["--json", PACKED, "--report", &report];
-    let chosen = ["--placer", options.placer.name(), "--freq", &frequency, "--seed", &number];
-    // nextpnr calls it experimental: dense designs, such as determinants at a pair per clock, lose more nets by it than they gain.
-    let again: &[&str] = if options.reroute { &["--tmg-ripup"] } else { &[] };
-    let args = [&PART[..], &lenient, &files, &chosen, again].concat();
+    let args = arguments(asked, seed, &report, options);
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
     let path = dir.join(&report);
     // One of an earlier run would stand beside the log of this one.
     if path.exists() {
@@ -203,16 +207,42 @@ fn one(
     }))
 }
 
+/// The command line of one seed.
+fn arguments(asked: u32, seed: u32, report: &str, options: &Options) -> Vec<String> {
+    let (number, frequency) = (seed.to_string(), asked.to_string());
+    let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
+    let files = ["--json", PACKED, "--report", report];
+    let chosen = ["--placer", options.placer.name(), "--freq", &frequency, "--seed", &number];
+    // nextpnr calls it experimental: dense designs, such as determinants at a pair per clock, lose more nets by it than they gain.
+    let again: &[&str] = if options.reroute { &["--tmg-ripup"] } else { &[] };
+    [&PART[..], &lenient, &files, &chosen, again].concat().into_iter().map(str::to_owned).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::synth::Flow;
+    use efsat_hardware::device;
+
+    #[test]
+    fn nextpnr_is_told_what_was_asked_for() {
+        let flow = Flow::of(device::find("lfe5u-85-6").unwrap());
+        let (limit, route_for, placer) = (Duration::ZERO, Some(132), Placer::Heap);
+        let options = Options { flow, seeds: 1, limit, route_for, placer, reroute: true, keep: None };
+        let line = arguments(132, 7, "r.json", &options).join(" ");
+        for part in ["--freq 132", "--seed 7", "--placer heap", "--report r.json", "--tmg-ripup"] {
+            assert!(line.contains(part), "{line}");
+        }
+        let without = arguments(132, 7, "r.json", &Options { reroute: false, ..options });
+        assert!(!without.join(" ").contains("--tmg-ripup"));
+    }
 
     #[test]
     fn the_median_is_one_of_the_seeds() {
         let placed = |megahertz: f64| Placed { megahertz, critical: CriticalPath::default(), used: BTreeMap::new() };
         let median = |all: &[Option<f64>]| {
             let seeds = all.iter().map(|megahertz| megahertz.map(placed)).collect();
-            Routed { seeds, limit: Duration::ZERO, placer: Placer::Static, reroute: false }.median()
+            Routed { asked: 100, seeds, limit: Duration::ZERO, placer: Placer::Static, reroute: false }.median()
         };
         assert_eq!(median(&[Some(90.0)]), Some(90.0));
         assert_eq!(median(&[Some(120.0), Some(80.0), Some(100.0)]), Some(100.0));

@@ -98,6 +98,7 @@ struct Estimate<'a> {
 /// After routing; no clock, path and cells where that did not end in time.
 #[derive(Serialize)]
 struct After<'a> {
+    asked: u32,
     median: Option<f64>,
     met: bool,
     placer: &'static str,
@@ -171,8 +172,9 @@ impl<'a> Summary<'a> {
     /// The object of a report.
     pub fn new(report: &'a Report, params: &'a Params, faults: &'a [String]) -> Self {
         let after = |routed: &'a Routed| After {
+            asked: routed.asked,
             median: routed.median(),
-            met: routed.median().is_some_and(|median| median >= f64::from(params.frequency)),
+            met: routed.is_met(),
             placer: routed.placer.name(),
             rerouted: routed.reroute,
             seeds: (1..).zip(routed.seeds.iter().map(|seed| seed.as_ref().map(|seed| seed.megahertz))).collect(),

@@ -68,7 +68,8 @@ impl Hardware {
 pub fn synthesise(params: &Params) -> Result<Cells, SynthError> {
     let device = device::find(&params.device).map_err(DesignError::from)?;
     let (limit, placer) = (Duration::ZERO, Placer::Static);
-    let options = Options { flow: Flow::of(device), seeds: 0, limit, placer, reroute: false, keep: None };
+    let options =
+        Options { flow: Flow::of(device), seeds: 0, limit, route_for: None, placer, reroute: false, keep: None };
     let design = Design::new(params, Probes::None)?;
     let report = synth::run(&Subject::Unit(&design), &params.command_line(), &options, &|_| {})?;
     Ok(report.cells().into())
