@@ -269,6 +269,8 @@ fn wrong_options_are_told() {
         ("synth --placer heap", "--placer: flow yosys-xc2v ends after Yosys"),
         ("synth --reroute", "--reroute: flow yosys-xc2v ends after Yosys"),
         ("synth --route-for 100", "--route-for: flow yosys-xc2v ends after Yosys"),
+        ("synth --flow ecp5 --no-route --route-for 100", "cannot be used with '--route-for <MHZ>'"),
+        ("synth --flow ecp5 --predict --route-for 100", "cannot be used with '--route-for <MHZ>'"),
         ("synth --flow ecp5 --route-for 1", "expected a whole number from 20 to 400"),
         ("synth --flow ecp5 --placer annealing", "expected one of static, heap"),
         ("synth --no-route", "--no-route: flow yosys-xc2v ends after Yosys"),

@@ -25,8 +25,8 @@ const MINUTES: u32 = 30;
 
 /// Synthesises the design with open tools and compares with what the device model predicts
 ///
-/// GHDL and Yosys map the VHDL entity by entity to a family's cells; flow ecp5 also maps the whole, moves the registers
-/// of products into the multipliers, and places and routes it with nextpnr for an LFE5U-85 of speed grade 6. Tools are
+/// GHDL and Yosys map the VHDL entity by entity to a family's cells; flow ecp5 also maps the whole, moves registers
+/// into multipliers and memories, and places and routes it with nextpnr for an LFE5U-85 of speed grade 6. Tools are
 /// looked for in the folder that EFSAT_TOOLS names, on PATH, and in target/tools/bin, where scripts/setup --synth
 /// installs them. Fails if the multipliers are not those predicted, or if the clock is missed after routing.
 #[derive(Debug, clap::Args)]

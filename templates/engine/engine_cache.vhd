@@ -90,7 +90,7 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal sweep_place : unsigned(place_bits - 1 downto 0) := (others => '0');
   signal asking : std_logic := '0';
   signal asked_address : unsigned(25 downto 0) := (others => '0');
-  signal reserved : unsigned(order_bits downto 0) := (others => '0');  -- lines asked for and not written yet
+  signal reserved : unsigned(order_bits downto 0) := (others => '0');  -- lines asked for and not written yet, as of a clock ago
   signal all_reserved : std_logic;
 
   -- Requests in order, each with the place of its line and whether that is still to be written. The first is in registers.
@@ -131,6 +131,7 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal at_word : std_logic_vector(words_per_line - 1 downto 0) := (0 => '1', others => '0');  -- where it goes in its line, a flag for each place
   signal writes : std_logic;
   signal last_word : std_logic;
+  signal line_written : std_logic := '0';  -- a clock ago
   type lines is array (0 to line_count - 1) of std_logic_vector(word_bits - 1 downto 0);
   type line_words is array (0 to words_per_line - 1) of std_logic_vector(word_bits - 1 downto 0);
   signal line_word : line_words := (others => (others => '0'));
@@ -253,9 +254,10 @@ begin
           sweep_place <= (others => '0');
         end if;
         sweeping <= sweeps;
-        if misses = '1' and last_word = '0' then
+        -- While one is asked for none passes, so it is counted in time.
+        if missed_before = '1' and line_written = '0' then
           reserved <= reserved + 1;
-        elsif misses = '0' and last_word = '1' then
+        elsif missed_before = '0' and line_written = '1' then
           reserved <= reserved - 1;
         end if;
       end if;
@@ -309,7 +311,9 @@ begin
         line_read <= '0';
         found <= '0';
         at_word <= (0 => '1', others => '0');
+        line_written <= '0';
       else
+        line_written <= last_word;
         if queued = '1' then
           order_in <= order_in + 1;
         end if;

@@ -310,7 +310,7 @@ pub fn answers(params: &Params) -> Invariant {
     } else {
         claim.see(&[("accepts", 1)]);
         claim.shown(["accepts == (last_phase && accepted != full_at)"]);
-        claim.mutants(&[(Inverted, "full")]);
+        claim.mutants(&[(Inverted, "full"), (Inverted, "phase_equal")]);
     }
     claim.shown([format!("inside <= {places}"), format!("inside + taken_lag <= {places}")]);
     claim.shown([format!("in_path == {in_path}"), format!("!accept || inside < {places}")]);

@@ -51,6 +51,11 @@ const fn same_in_one(pattern: &'static str, reason: &'static str) -> Explanation
     Explanation { rate: Rate::One, ..same(pattern, reason) }
 }
 
+/// A mutant that hardly any input shows where a pair takes several clocks.
+const fn hidden_in_several(pattern: &'static str, reason: &'static str) -> Explanation {
+    Explanation { rate: Rate::Several, ..hidden(pattern, reason) }
+}
+
 /// A mutant that hardly any input shows.
 const fn hidden(pattern: &'static str, reason: &'static str) -> Explanation {
     Explanation { pattern, claim: Claim::Hidden, reason, rate: Rate::Any }
@@ -70,6 +75,10 @@ const ROOM: &str =
     "the next push writes the place again, and never do pairs wait in all places: one is popped in every slot";
 const NOT_YET: &str = "in the clock after reset nothing is accepted and no pair is held, and then it is set anew";
 const AFTER_RESET: &str = "shows in the first clock after a reset alone; `protocol::` asks there";
+const SETTLED: &str = "only in slots of two clocks is the pointer read in the clock after it moves";
+const NOT_RUNNING: &str = "in the clock after reset nothing is accepted, and then it is set anew";
+const NOT_ACCEPTED: &str = "after reset nothing has been accepted, and either flag says that a place is free";
+const HALF: &str = "half of all counts: to add it is to subtract it";
 const STANDS: &str = "the pointer stands still in the clocks before a pair is accepted";
 const FROM_RESET: &str = "vectors begin with a pose; `protocol::` asks for the bypass after a reset";
 const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
@@ -90,7 +99,15 @@ const VHDL: &[Explanation] = &[
     hidden("efsat_types:choose:operand:if_set -> condition", UNUSED),
     hidden("efsat_types:choose:operand:if_clear -> if_set", UNUSED),
     hidden("efsat_types:choose:* #3", UNUSED),
-    same("sequencer:full_if_moved:constant:'0' -> '1'", NONE_YET),
+    same("sequencer:taken_turned:operand:+ -> -", HALF),
+    hidden("sequencer:running:constant:'0' -> '1'", AFTER_RESET),
+    hidden("sequencer:running:delay:a register too many", AFTER_RESET),
+    same_in_one("sequencer:full_if_moved:constant:'0' -> '1'", NONE_YET),
+    same_in_one("sequencer:full_if_still:constant:'0' -> '1'", NOT_RUNNING),
+    same_in_one("sequencer:accepted_moved:constant:'0' -> '1'", NOT_ACCEPTED),
+    hidden_in_several("sequencer:accepts:constant:'0' -> '1'", AFTER_RESET),
+    hidden_in_several("sequencer:accepted:delay:a register too many", SETTLED),
+    same_in_several("sequencer:decide_phase:constant:'0' -> '1'", NOT_YET),
     same_in_several("sequencer:last_phase:constant:'0' -> '1'", NOT_YET),
     same_in_several("sequencer:load_pair:constant:'1' -> '0'", NOT_YET),
     same_in_several("efsat:tag_address:delay:a register too many", STANDS),
@@ -106,10 +123,6 @@ const VHDL: &[Explanation] = &[
     same("open_pointers:popped_moved:constant:*", POPPED),
     same("open_pointers:popped_moved:delay:*", POPPED),
     same("exact_stage:open_*_words:case:without the condition push*", ROOM),
-    hidden(
-        "sequencer:full_if_still:delay:a register too many",
-        "a place of the queue that becomes free in the clock before the last phase is seen a slot later; the answers stay",
-    ),
     same("transform_row:*:delay:bypass_*", IDLE),
     same("transform_row:bypass_*:delay:a register too many", IDLE),
     same("transform_row:b*.hi:delay:b_hi_aligned_not_line* -> *", IDLE),

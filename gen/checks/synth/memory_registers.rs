@@ -137,6 +137,17 @@ mod tests {
     }
 
     #[test]
+    fn registers_without_an_enable_always_load() {
+        let mut netlist = memory("");
+        for name in ["a", "b"] {
+            netlist.modules.get_mut("top").unwrap().cells.get_mut(name).unwrap().set("CEMUX", "1");
+        }
+        assert_eq!(pack(&mut netlist), 1);
+        let m = &netlist.modules["top"].cells["m"];
+        assert_eq!(["OCEA", "OCEB"].map(|port| m.bit(port)), [Some(ALWAYS); 2]);
+    }
+
+    #[test]
     fn registers_that_a_memory_cannot_be_stay_outside() {
         let with = |name: &str, change: &dyn Fn(&mut Cell)| {
             let mut netlist = memory("");
@@ -145,7 +156,17 @@ mod tests {
         };
         assert_eq!(with("b", &|_| ()), 1);
         assert_eq!(with("b", &|b| b.set("REGSET", "SET")), 0, "a one at the start");
-        assert_eq!(with("b", &|b| b.set("CLKMUX", "INV")), 0);
+        for mux in ["CLKMUX", "CEMUX", "LSRMUX"] {
+            assert_eq!(with("b", &|b| b.set(mux, "INV")), 0, "{mux}");
+        }
+        assert_eq!(
+            with("b", &|b| {
+                let read = b.connections.remove("DI").unwrap();
+                b.connect("CE", read[0]);
+            }),
+            0,
+            "an enable"
+        );
         assert_eq!(with("b", &|b| b.connect("LSR", Bit::Net(9))), 0, "a reset");
         assert_eq!(with("b", &|b| b.connect("CE", Bit::Net(9))), 0, "another enable");
         assert_eq!(with("b", &|b| b.set("CEMUX", "1")), 0, "none beside one");

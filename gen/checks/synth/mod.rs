@@ -64,7 +64,7 @@ pub struct Options {
     pub seeds: u32,
     /// The time that one placement may take with its routing.
     pub limit: Duration,
-    /// The clock that placement and routing are asked for, in MHz; that of the schedule if none.
+    /// The clock that placement and routing are asked for, in MHz; that which the schedule is for if none.
     pub route_for: Option<u32>,
     /// What places the cells.
     pub placer: Placer,

@@ -6,7 +6,7 @@
 //!
 //! ECP5's has registers in front of its operands too. Where both operands come from registers that load what comes from a
 //! flip-flop or a multiplier, these move there: what multipliers far apart have shared is then copied ([`pack_operands`]). Registers
-//! behind logic or a memory stay beside it.
+//! behind logic or a memory stay outside of the multiplier.
 
 use super::netlist::{Bit, Cell, Level, Module, Netlist, is_flip_flop};
 use super::{ToolError, memory_registers};

@@ -149,7 +149,7 @@ pub(super) fn whole(yosys: &Tool, harness: &str, dir: &Path) -> Result<(), ToolE
 }
 
 /// Places and routes the whole with the seeds of the options, each within their limit of time, for the clock of the options or, if
-/// there is none, for that of the schedule, in MHz.
+/// there is none, for that which the design is scheduled for, in MHz.
 ///
 /// # Errors
 /// What nextpnr says; a missed clock is no error.
@@ -162,7 +162,7 @@ pub(super) fn run(
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Routed, ToolError> {
     let &Options { seeds, limit, route_for, placer, reroute, .. } = options;
-    let asked = route_for.unwrap_or(scheduled);
+    let asked = asked(route_for, scheduled);
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
     let done = AtomicU32::new(0);
@@ -207,6 +207,11 @@ fn one(
     }))
 }
 
+/// The clock that is asked for, of that of the options and that which the design is scheduled for.
+fn asked(route_for: Option<u32>, scheduled: u32) -> u32 {
+    route_for.unwrap_or(scheduled)
+}
+
 /// The command line of one seed.
 fn arguments(asked: u32, seed: u32, report: &str, options: &Options) -> Vec<String> {
     let (number, frequency) = (seed.to_string(), asked.to_string());
@@ -229,7 +234,8 @@ mod tests {
         let flow = Flow::of(device::find("lfe5u-85-6").unwrap());
         let (limit, route_for, placer) = (Duration::ZERO, Some(132), Placer::Heap);
         let options = Options { flow, seeds: 1, limit, route_for, placer, reroute: true, keep: None };
-        let line = arguments(132, 7, "r.json", &options).join(" ");
+        assert_eq!(asked(None, 145), 145);
+        let line = arguments(asked(options.route_for, 145), 7, "r.json", &options).join(" ");
         for part in ["--freq 132", "--seed 7", "--placer heap", "--report r.json", "--tmg-ripup"] {
             assert!(line.contains(part), "{line}");
         }

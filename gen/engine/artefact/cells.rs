@@ -415,7 +415,7 @@ impl Sheet<'_> {
         memories.push((Apart, lines.places, place + 1));
         let used = lines.used_number.high + 1;
         let flip_flops =
-            5 * ADDRESS_BITS + lines.word_bits + 2 * place + 3 * returned + tags + 39 + words + lines.line_bits;
+            5 * ADDRESS_BITS + lines.word_bits + 2 * place + 3 * returned + tags + 40 + words + lines.line_bits;
         let chains = [(1, ADDRESS_BITS), (1, place), (2, 5), (3, 4), (2, returned), (1, returned + 1)];
         let luts = self.of([182, 190, 169]) + 2 * words + 2 * tags + used;
         self.entity(lines.entity, flip_flops, &memories, &chains, luts).times(2)
