@@ -391,6 +391,17 @@ fn generate_says_what_it_wrote_and_what_does_not_fit() {
     assert_eq!(status, Some(0), "{errors}");
     assert!(errors.starts_with("warning: xc2v6000-4 has 144 multipliers; the design is predicted to take"), "{errors}");
     succeeds(dir, "generate --out c --device xc7a200t-1 --method determinants");
+    // At 300 MHz another sum stays undivided, which 181 divides.
+    let ecp5 = "generate --out d --device lfe5u-85-6 --method determinants --frequency";
+    let part = "multiply_18_18.p takes 5.5 ns between registers and cannot be divided: expected at most 181";
+    fails(dir, &format!("{ecp5} 300"), 2, part);
+    succeeds(dir, &format!("{ecp5} 181"));
+    let (status, _, errors) = efsat(dir, "synth --predict --method exact --width 32 --device lifcl-40-9");
+    assert_eq!(status, Some(0), "{errors}");
+    assert!(
+        errors.starts_with("warning: lifcl-40-9 has 56 multipliers; the design is predicted to take 384"),
+        "{errors}"
+    );
 }
 
 #[test]

@@ -127,11 +127,10 @@ const FAMILIES: [(&[&str], &str, &str); 6] = [
     (&["lifcl", "lfd2nx", "lfcpnx", "nexus", "crosslinknx", "certus"], "Nexus", "lifcl-40-9"),
 ];
 
-/// What to take for a device that is not known, if its family is.
+/// What to take for a device that is not known.
 fn of_family(device: &str) -> String {
     let name: String = device.to_lowercase().chars().filter(char::is_ascii_alphanumeric).collect();
     let known = FAMILIES.iter().find(|(words, ..)| words.iter().any(|word| name.starts_with(word)));
-    known.map_or(String::new(), |(_, family, like)| {
-        format!("; for another device of {family} take {like}, or a file NAME.toml of your own")
-    })
+    known.map_or(String::new(), |(_, family, like)| format!("; for another device of {family} take {like}"))
+        + ", or a file NAME.toml of your own"
 }

@@ -6,7 +6,7 @@ use super::file;
 use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
 use efsat_checks::synth::{SynthError, verilog};
-use efsat_engine::artefact::{EngineExtras, engine_design_files_with, engine_verilog_files, samples};
+use efsat_engine::artefact::{EngineDesign, EngineExtras, engine_design_files_with, engine_verilog_files, samples};
 use efsat_engine::ready::{ENGINES, ready_files};
 use efsat_hardware::device::Device;
 use efsat_hardware::estimate;
@@ -15,9 +15,9 @@ use efsat_unit::artefact::{
     ready_designs, verilog_files,
 };
 use efsat_unit::design::Design;
-use efsat_unit::design::top::pace;
+use efsat_unit::design::top::{DesignError, pace};
 use efsat_unit::params::Params;
-use efsat_unit::params::options::Choice;
+use efsat_unit::params::options::{Choice, FREQUENCY};
 use efsat_unit::words::StreamWidth;
 use serde::Serialize;
 use std::fmt;
@@ -110,7 +110,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.diagram.wanted() {
         return arguments.diagram.run(&design);
     }
-    reaches(&design, design.clock())?;
+    reaches(&design, &params, Design::clock, |params| Design::new(params, false))?;
     let out = &folder(arguments, &params)?;
     let mut packaging = arguments.packaging();
     let mut set = files(&design, &packaging)?;
@@ -139,22 +139,39 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Says what does not fit on a device.
-fn warn_of(device: &Device, shortages: &[(&str, u64, u64)]) {
+pub(super) fn warn_of(device: &Device, shortages: &[(&str, u64, u64)]) {
     for (kind, used, there) in shortages {
         warn(&format!("{} has {there} {kind}; the design is predicted to take {used}", device.name));
     }
 }
 
-/// Refuses a clock that the longest operation between registers does not hold.
-fn reaches(design: &Design, (megahertz, end): (f64, &str)) -> Result<(), Failure> {
-    let Params { device, frequency, .. } = &design.params;
-    if megahertz + 1e-6 >= f64::from(*frequency) {
-        return Ok(());
+/// Refuses a clock that the longest operation between registers does not hold, and names the highest that is held; `again` makes the
+/// design with other parameters.
+fn reaches<D>(
+    design: &D,
+    params: &Params,
+    clock: impl Fn(&D) -> (f64, &str),
+    again: impl Fn(&Params) -> Result<D, DesignError>,
+) -> Result<(), Failure> {
+    let missing = |design: &D, frequency: u32| {
+        let (megahertz, end) = clock(design);
+        (megahertz + 1e-6 < f64::from(frequency)).then(|| (megahertz, end.to_owned()))
+    };
+    let Params { device, frequency, .. } = params;
+    let Some(mut longest) = missing(design, *frequency) else { return Ok(()) };
+    // What no clock holds stays undivided: a design for less may be faster than this one.
+    let (mut held, mut missed) = (FREQUENCY.start() - 1, *frequency);
+    while missed - held > 1 {
+        let frequency = held.midpoint(missed);
+        match missing(&again(&Params { frequency, ..params.clone() })?, frequency) {
+            None => held = frequency,
+            Some(found) => (missed, longest) = (frequency, found),
+        }
     }
+    let (megahertz, end) = longest;
     Err(Failure::Usage(format!(
-        "--frequency {frequency}: on {device} {end} takes {:.1} ns between registers and cannot be divided: expected at most {}",
-        1000.0 / megahertz,
-        megahertz.floor()
+        "--frequency {frequency}: on {device} {end} takes {:.1} ns between registers and cannot be divided: expected at most {held}",
+        1000.0 / megahertz
     )))
 }
 
@@ -296,10 +313,8 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
         false => arguments.engine_params.design(&arguments.params)?,
         true => arguments.engine_params.design_by_number(&arguments.params)?,
     };
-    reaches(&design.unit, design.unit.clock())?;
-    if !design.by_number {
-        reaches(&design.unit, design.volume.clock())?;
-    }
+    let again = if arguments.pairs_by_number { EngineDesign::by_number } else { EngineDesign::new };
+    reaches(&design, &design.unit.params, EngineDesign::clock, |unit| again(&design.params, unit))?;
     let prefix = arguments.name.clone().unwrap_or_default();
     let name = prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
     let registers = if arguments.registers { " --registers" } else { "" };

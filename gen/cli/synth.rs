@@ -4,6 +4,7 @@ mod summary;
 mod table;
 
 use super::error::Failure;
+use super::generate::warn_of;
 use super::output::{print, print_json};
 use super::params::{EngineArguments, ParamArguments, choice, whole};
 use super::{file, progress};
@@ -99,7 +100,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     };
     if arguments.predict {
-        return show(&subject.predict(flow), &params, arguments.json);
+        let report = subject.predict(flow);
+        warn_of(report.counted_for, &report.cells().shortages(&report.counted_for.capacity));
+        return show(&report, &params, arguments.json);
     }
     let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };
     let limit = Duration::from_secs(60 * u64::from(arguments.minutes.unwrap_or(MINUTES)));

@@ -28,6 +28,8 @@ fn every_wrong_value_is_one_line_and_status_2() {
             "--device xc7",
             "expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1, xc7z020-1, xczu3eg-1, lifcl-40-9",
         ),
+        ("--device good.TOML", "lifcl-40-9, or a file NAME.toml of your own"),
+        ("--device xc7k325t", "; for another device of the 7 series take xc7a100t-1, or a file NAME.toml of your own"),
         ("--frequency 19", "expected a whole number from 20 to 400"),
         ("--frequency 100.5", "expected a whole number from 20 to 400"),
         ("--tag-width 65", "expected a whole number from 0 to 64"),

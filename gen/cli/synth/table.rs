@@ -2,7 +2,7 @@
 
 use efsat_checks::synth::{CriticalPath, Placed, Report, Routed, Timing, Unit};
 use efsat_engine::artefact::cells::WITHIN;
-use efsat_hardware::device::Resources;
+use efsat_hardware::device::{self, Device, Resources};
 use efsat_unit::design::top::pace;
 use efsat_unit::params::{Params, options::Choice};
 use std::fmt::Write;
@@ -18,13 +18,13 @@ const NAME: usize = 36;
 
 /// The tree of units, totals, shares of the part, clock and critical path.
 pub(super) fn text(report: &Report, params: &Params) -> String {
-    let counted = report.counted_for.name;
+    let Device { name: counted, family, .. } = report.counted_for;
     let by = match report.tools.join(", ") {
         tools if tools.is_empty() => "as the device model predicts them".to_owned(),
         tools => format!("by {tools}"),
     };
     let mut text = format!("Scheduled for {} at {} MHz; cells of {counted} {by}\n", params.device, params.frequency);
-    if counted != params.device {
+    if device::find(&params.device).is_ok_and(|device| device.family != *family) {
         text.push_str("The device is of another family than the flow: registers stand where that one needs them\n");
     }
     text.push('\n');

@@ -123,6 +123,12 @@ impl EngineDesign {
         Ok(Self { params: params.clone(), format, unit: Design::new(&unit, false)?, volume, by_number })
     }
 
+    /// The clock in MHz that the schedules of its units reach, and the node that ends the longest path.
+    pub fn clock(&self) -> (f64, &str) {
+        let (unit, volume) = (self.unit.clock(), self.volume.clock());
+        if self.by_number || unit.0 <= volume.0 { unit } else { volume }
+    }
+
     /// The entity that is the top, without a prefix; for co-simulation.
     #[doc(hidden)]
     pub fn top(&self) -> &'static str {

@@ -1,6 +1,6 @@
 //! A part in a file of one's own: a known one, and what differs.
 
-use super::{Device, DeviceError, known};
+use super::{Device, DeviceError, known, names};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -68,7 +68,7 @@ fn parse(text: &str) -> Result<Device, String> {
             e.span().map_or(String::new(), |span| format!("line {}: ", text[..span.start].matches('\n').count() + 1));
         format!("{line}{}", e.message())
     })?;
-    let like = known(&own.like).map_err(|e| format!("like {}: {}", e.found, e.why))?;
+    let like = known(&own.like).map_err(|e| format!("like = {:?}: expected one of {}", e.found, names().join(", ")))?;
     word("name", &own.name)?;
     if known(&own.name).is_ok() {
         return Err(format!("name = {:?}: expected a name that no part of efsat has", own.name));
@@ -170,7 +170,11 @@ mod tests {
     #[test]
     fn faults_are_named() {
         let with = |from: &str, to: &str| parse(&KINTEX.replace(from, to)).unwrap_err();
-        assert!(with("xc7a200t-1", "xc7").starts_with("like xc7: expected one of xc2v6000-4, "));
+        let like = with("xc7a200t-1", "xc7");
+        assert!(
+            like.starts_with("like = \"xc7\": expected one of xc2v6000-4, ") && like.ends_with("lifcl-40-9"),
+            "{like}"
+        );
         assert_eq!(with("lut = 0.05", "lut = 0"), "lut = 0: expected 0.01 to 100 ns");
         assert_eq!(with("lut = 0.05", "lut = nan"), "lut = NaN: expected 0.01 to 100 ns");
         assert_eq!(
