@@ -73,6 +73,7 @@ const UNUSED: &str = "most designs do not call this function for values of this 
 const POPPED: &str = "valid counts in the last phase only, ten clocks or more after the last pop, and after reset";
 const ROOM: &str =
     "the next push writes the place again, and never do pairs wait in all places: one is popped in every slot";
+const IN_TIME: &str = "a pair is loaded a clock after it was seen to wait, and the pointer has stood still for longer";
 const NOT_YET: &str = "in the clock after reset nothing is accepted and no pair is held, and then it is set anew";
 const AFTER_RESET: &str = "shows in the first clock after a reset alone; `protocol::` asks there";
 const SETTLED: &str = "only in slots of two clocks is the pointer read in the clock after it moves";
@@ -123,6 +124,7 @@ const VHDL: &[Explanation] = &[
     same("open_pointers:popped_moved:constant:*", POPPED),
     same("open_pointers:popped_moved:delay:*", POPPED),
     same("exact_stage:open_*_words:case:without the condition push*", ROOM),
+    same("exact_stage:oldest:delay:a register too many", IN_TIME),
     same("transform_row:*:delay:bypass_*", IDLE),
     same("transform_row:bypass_*:delay:a register too many", IDLE),
     same("transform_row:b*.hi:delay:b_hi_aligned_not_line* -> *", IDLE),
