@@ -3,12 +3,11 @@
 use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::file;
-use super::output::{print, print_json, warn};
+use super::output::{print, print_json, warn_of};
 use super::params::{EngineArguments, ParamArguments, choice};
 use efsat_checks::synth::{SynthError, verilog};
 use efsat_engine::artefact::{EngineDesign, EngineExtras, engine_design_files_with, engine_verilog_files, samples};
 use efsat_engine::ready::{ENGINES, ready_files};
-use efsat_hardware::device::Device;
 use efsat_hardware::estimate;
 use efsat_unit::artefact::{
     DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, dump_files, programme_files,
@@ -136,13 +135,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let shortages = estimate::whole(&design.top, design.device).shortages(&design.device.capacity);
     warn_of(design.device, &shortages);
     Ok(())
-}
-
-/// Says what does not fit on a device.
-pub(super) fn warn_of(device: &Device, shortages: &[(&str, u64, u64)]) {
-    for (kind, used, there) in shortages {
-        warn(&format!("{} has {there} {kind}; the design is predicted to take {used}", device.name));
-    }
 }
 
 /// Refuses a clock that the longest operation between registers does not hold, and names the highest that is held; `again` makes the

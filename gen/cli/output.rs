@@ -1,6 +1,7 @@
 //! Standard output, whose reader may leave at any time; and the shapes that several commands print.
 
 use super::error::Failure;
+use efsat_hardware::device::Device;
 use efsat_unit::golden::{Margin, Reason};
 use efsat_unit::host::Verdicts;
 use efsat_unit::pair::Verdict;
@@ -63,6 +64,13 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
 /// Prints a warning on standard error.
 pub(super) fn warn(message: &str) {
     tell("warning", message);
+}
+
+/// Says what does not fit on a device.
+pub(super) fn warn_of(device: &Device, shortages: &[(&str, u64, u64)]) {
+    for (kind, used, there) in shortages {
+        warn(&format!("{} has {there} {kind}; the design is predicted to take {used}", device.name));
+    }
 }
 
 /// Prints a message of some kind on standard error, where there is no one left to tell if that cannot be written.

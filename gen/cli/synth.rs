@@ -4,8 +4,7 @@ mod summary;
 mod table;
 
 use super::error::Failure;
-use super::generate::warn_of;
-use super::output::{print, print_json};
+use super::output::{print, print_json, warn_of};
 use super::params::{EngineArguments, ParamArguments, choice, whole};
 use super::{file, progress};
 use efsat_checks::synth::{self, Flow, Options, Placer, Report, Subject};
@@ -101,7 +100,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     if arguments.predict {
         let report = subject.predict(flow);
-        warn_of(report.counted_for, &report.cells().shortages(&report.counted_for.capacity));
+        warn_of(report.counted_for, &report.shortages());
         return show(&report, &params, arguments.json);
     }
     let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };

@@ -77,7 +77,6 @@ const IN_TIME: &str = "a pair is loaded a clock after it was seen to wait, and t
 const NOT_YET: &str = "in the clock after reset nothing is accepted and no pair is held, and then it is set anew";
 const AFTER_RESET: &str = "shows in the first clock after a reset alone; `protocol::` asks there";
 const SETTLED: &str = "only in slots of two clocks is the pointer read in the clock after it moves";
-const NOT_RUNNING: &str = "in the clock after reset nothing is accepted, and then it is set anew";
 const NOT_ACCEPTED: &str = "after reset nothing has been accepted, and either flag says that a place is free";
 const HALF: &str = "half of all counts: to add it is to subtract it";
 const STANDS: &str = "the pointer stands still in the clocks before a pair is accepted";
@@ -104,7 +103,7 @@ const VHDL: &[Explanation] = &[
     hidden("sequencer:running:constant:'0' -> '1'", AFTER_RESET),
     hidden("sequencer:running:delay:a register too many", AFTER_RESET),
     same_in_one("sequencer:full_if_moved:constant:'0' -> '1'", NONE_YET),
-    same_in_one("sequencer:full_if_still:constant:'0' -> '1'", NOT_RUNNING),
+    same_in_one("sequencer:full_if_still:constant:'0' -> '1'", NOT_YET),
     same_in_one("sequencer:accepted_moved:constant:'0' -> '1'", NOT_ACCEPTED),
     hidden_in_several("sequencer:accepts:constant:'0' -> '1'", AFTER_RESET),
     hidden_in_several("sequencer:accepted:delay:a register too many", SETTLED),

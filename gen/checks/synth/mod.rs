@@ -107,11 +107,17 @@ impl Report {
         self.top.actual.map_or(self.top.predicted, |cells| cells.resources)
     }
 
+    /// What the part has less of than the whole takes: kinds of cells, each with how many are used and there; for
+    /// the command line and the studies.
+    #[doc(hidden)]
+    pub fn shortages(&self) -> Vec<(&'static str, u64, u64)> {
+        self.cells().shortages(&self.counted_for.capacity)
+    }
+
     /// Whether the cells are there on the part, which a placer finds out late.
     fn fits(&self) -> Result<(), SynthError> {
-        let part = self.counted_for;
-        match self.cells().shortages(&part.capacity).first() {
-            Some(&(kind, used, there)) => Err(SynthError::Part { part: part.name, kind, used, there }),
+        match self.shortages().first() {
+            Some(&(kind, used, there)) => Err(SynthError::Part { part: self.counted_for.name, kind, used, there }),
             None => Ok(()),
         }
     }

@@ -58,8 +58,7 @@ impl Subject<'_> {
                 let volume = &design.volume;
                 let control = design.control(counted_for);
                 let top = units::around(&control, &design.units(), counted_for, netlist);
-                let slower = if volume.clock().0 < unit.clock().0 { volume.clock() } else { unit.clock() };
-                (top, slower, Some(volume.interval), control.whole().block_rams)
+                (top, design.clock(), Some(volume.interval), control.whole().block_rams)
             }
         };
         Report {

@@ -164,14 +164,17 @@ pub fn all() -> &'static [Device] {
 /// # Errors
 /// The name, with the legal ones; what is wrong with the file.
 pub fn find(name: &str) -> Result<&'static Device, DeviceError> {
-    if name.ends_with(OWN) { own::read(name) } else { known(name) }
+    if name.ends_with(OWN) {
+        return own::read(name);
+    }
+    known(name).map_err(|e| DeviceError { why: format!("{}, or a file NAME.toml of your own", e.why), ..e })
 }
 
 fn known(name: &str) -> Result<&'static Device, DeviceError> {
-    DEVICES.iter().find(|d| d.name == name).ok_or_else(|| DeviceError {
-        found: name.to_owned(),
-        why: format!("expected one of {}, or a file NAME.toml of your own", names().join(", ")),
-    })
+    DEVICES
+        .iter()
+        .find(|d| d.name == name)
+        .ok_or_else(|| DeviceError { found: name.to_owned(), why: format!("expected one of {}", names().join(", ")) })
 }
 
 impl Device {

@@ -1,6 +1,6 @@
 //! A part in a file of one's own: a known one, and what differs.
 
-use super::{Device, DeviceError, known, names};
+use super::{Device, DeviceError, known};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -68,7 +68,7 @@ fn parse(text: &str) -> Result<Device, String> {
             e.span().map_or(String::new(), |span| format!("line {}: ", text[..span.start].matches('\n').count() + 1));
         format!("{line}{}", e.message())
     })?;
-    let like = known(&own.like).map_err(|e| format!("like = {:?}: expected one of {}", e.found, names().join(", ")))?;
+    let like = known(&own.like).map_err(|e| format!("like = {:?}: {}", e.found, e.why))?;
     word("name", &own.name)?;
     if known(&own.name).is_ok() {
         return Err(format!("name = {:?}: expected a name that no part of efsat has", own.name));

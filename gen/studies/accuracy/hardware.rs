@@ -50,7 +50,7 @@ impl Hardware {
         let design = Design::new(params, Probes::None)?;
         let report = Subject::Unit(&design).predict(Flow::of(device));
         let cells = Cells::from(report.cells());
-        let fits = report.cells().shortages(&device.capacity).is_empty();
+        let fits = report.shortages().is_empty();
         let (interval, latency) = (report.interval, report.latency);
         Ok(Self { cells, fits, clock: report.scheduled.0, interval, latency })
     }
