@@ -314,7 +314,7 @@ fn a_wrong_engine_is_noticed() {
         ),
         ("engine_answer.vhd", "free <= m_axis_tready or not offered;", "free <= '1';", slow),
         // A word that is not there is looked at.
-        ("engine_command.vhd", "unfit <= '0' when head_valid = '0' else '1' when", "unfit <= '1' when", quick),
+        ("engine_command.vhd", "kind(is_row) <= '0' when s_axis_tvalid = '0' or", "kind(is_row) <= '0' when", quick),
         // A line is given before it has come; an address waits for ready.
         (
             "engine_triangle_cache.vhd",
@@ -462,7 +462,7 @@ fn caches_are_emptied() {
 
     let changes = [
         // No cache is told; a cache does not listen; other objects are not noticed.
-        ("engine_control.vhd", "flush_now <= '1';", "flush_now <= '0';"),
+        ("engine_admission.vhd", "flush_now <= '1';", "flush_now <= '0';"),
         ("engine_block_cache.vhd", "sweeps <= '1' when flush = '1' or (", "sweeps <= '1' when ("),
         ("engine_triangle_cache.vhd", "sweeps <= '1' when flush = '1' or (", "sweeps <= '1' when ("),
         // A request does not see that one before it asks for the same line.

@@ -77,78 +77,51 @@ end entity engine_control;
 
 architecture rtl of engine_control is
   constant fine : std_logic_vector(4 downto 0) := reason_complete;
-  subtype flags is std_logic_vector(lanes - 1 downto 0);
-  constant no_lane : flags := (others => '0');
-  constant all_lanes : flags := (others => '1');
+  constant no_lane : lane_flags := (others => '0');
+  constant all_lanes : lane_flags := (others => '1');
   subtype lane_number is unsigned(lane_bits - 1 downto 0);
-
-  -- Flags of lanes, each with that of the lane before.
-  function rotated(flag : flags) return flags is
-    variable turned : flags;
-  begin
-    for lane in 0 to lanes - 1 loop
-      turned(lane) := flag((lane + lanes - 1) mod lanes);
-    end loop;
-    return turned;
-  end function rotated;
 
   -- Lanes, in turn: from the oldest to where the next job goes.
   signal oldest_lane : lane_number := (others => '0');
-  signal is_oldest : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
-  signal admitted_lane : lane_number := (others => '0');  -- that is admitted next
-  signal is_candidate : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
+  signal is_oldest : lane_flags := (0 => '1', others => '0');  -- the same, a flag for each lane
   signal next_lane : lane_number := (others => '0');  -- of the next job
-  signal is_next : flags := (0 => '1', others => '0');
-  signal occupied : flags := (others => '0');
-  signal asked : flags := (others => '0');  -- by a query, and not by another job
-  signal has_pose : flags := (others => '0');
-  signal admitted : flags := (others => '0');  -- checked, and started if it is a query that can be
-  signal started_now : flags := (others => '0');
-  signal stopped : flags;  -- a stop was for it
-  signal shorts : flags := (others => '0');
+  signal is_next : lane_flags := (0 => '1', others => '0');
+  signal occupied : lane_flags := (others => '0');
+  signal asked : lane_flags := (others => '0');  -- by a query, and not by another job
+  signal has_pose : lane_flags := (others => '0');
+  signal admitted : lane_flags := (others => '0');  -- checked, and started if it is a query that can be
+  signal unadmitted : lane_flags;
+  signal started_now : lane_flags := (others => '0');
+  signal stopped : lane_flags;  -- a stop was for it
+  signal shorts : lane_flags := (others => '0');
   type lane_reasons is array (0 to lanes - 1) of std_logic_vector(4 downto 0);
   signal reasons : lane_reasons := (others => fine);
-  signal sound : flags := (others => '0');  -- the reason is fine
+  signal sound : lane_flags := (others => '0');  -- the reason is fine
   -- A reason to end that was found a clock ago.
-  signal found : flags := (others => '0');
+  signal found : lane_flags := (others => '0');
   signal found_reasons : lane_reasons := (others => fine);
-  signal not_reported : flags;  -- lanes with a query that is not reported yet
+  signal not_reported : lane_flags;  -- lanes with a query that is not reported yet
   -- What follows from these, each in a register of its own, because it is read in many places.
   signal running_now : std_logic := '0';
   signal busy_now : std_logic := '0';  -- a clock ago there was a query or another job, or one was being taken
-  signal ending_now : flags := (others => '1');
-  signal drops : flags := (others => '0');  -- a clock ago a query ran there, and had a reason to end
+  signal ending_now : lane_flags := (others => '1');
+  signal drops : lane_flags := (others => '0');  -- a clock ago a query ran there, and had a reason to end
 
-  -- Jobs and what admits a query.
-  type phase_state is (waiting_state, take_state, check_state, flush_state, admit_state);
-  signal phase : phase_state := waiting_state;
-  signal taken : std_logic := '0';
-  -- The same in a register of its own, because hundreds of cells are written by it. Another first value keeps tools from making one of
-  -- both; what is stored in the first clock means nothing.
-  signal stored : std_logic := '1';
+  -- Jobs, and what admits a query.
+  signal taken : std_logic;
   signal all_idle : std_logic;  -- a clock ago: a pair of a packet ends it two clocks before a job can come behind that
   signal idle_is_old : std_logic := '0';  -- a job was taken or the oldest query reported in the clock before: idle is of that clock
   signal job_due : std_logic;
-  signal job_found : std_logic := '0';  -- a clock ago; nothing but its taking ends that
-  signal admits : std_logic;  -- a query is to be checked
-  signal checks : unsigned(1 downto 0) := "00";
-  -- What the check came to, a clock before its query is admitted.
-  signal starts : std_logic := '0';
-  signal refused : std_logic_vector(4 downto 0) := fine;  -- why it does not start
-  signal started_pulse : std_logic := '0';
-  signal started_lane : lane_number := (others => '0');
-  signal load_check : std_logic;
-  signal known : std_logic := '0';  -- the caches are those of the query that was checked last
-  constant no_place : std_logic_vector(4 downto 0) := (others => '0');
-  signal moved : std_logic_vector(4 downto 0);
-  signal flush_now : std_logic := '0';
-  signal outside : std_logic_vector(3 downto 0);
-  signal empty : std_logic;
+  signal admission_busy : std_logic;
+  signal admits : lane_flags;  -- the lane of a query that is admitted
+  signal starts : std_logic;
+  signal refused : std_logic_vector(4 downto 0);  -- why it does not start
+  signal started_pulse : std_logic;
 
   -- The end of the oldest query.
   signal reporting : std_logic := '0';
   signal retires : std_logic;
-  signal here : flags;  -- the lane of the oldest, if it is admitted
+  signal here : lane_flags;  -- the lane of the oldest, if it is admitted
   signal done : std_logic;  -- all of it is
   signal reads_before : std_logic := '0';
   signal error_before : std_logic := '0';
@@ -158,10 +131,8 @@ architecture rtl of engine_control is
 begin
   all_idle <= '1' when idle = all_lanes else '0';
   job_taken <= taken;
-  job_stored <= stored;
   job_lane <= std_logic_vector(next_lane);
   job_flags <= is_next;
-  checked_lane <= std_logic_vector(admitted_lane);
   running <= running_now;
   busy <= busy_now;
   oldest <= std_logic_vector(oldest_lane);
@@ -171,14 +142,13 @@ begin
   ending <= ending_now;
   dropping <= drops(to_integer(oldest_lane));
   start <= started_pulse;
-  start_lane <= std_logic_vector(started_lane);
   retire <= retires;
   retires <= reporting and report_done;
   report_due <= reporting;
   short <= '0' when (shorts and is_oldest) = no_lane else '1';
 
   tell : for digit in 0 to 4 generate
-    signal has_bit : flags;
+    signal has_bit : lane_flags;
   begin
     lanes_with_bit : for lane in 0 to lanes - 1 generate
       has_bit(lane) <= reasons(lane)(digit) and is_oldest(lane);
@@ -187,13 +157,12 @@ begin
   end generate tell;
   aborts <= fails and not (reset or forget);
   abort <= aborting;
-  flush <= flush_now;
 
   -- ===== Jobs =====
   -- A query is taken beside others, another job alone.
   job_due <= job_valid and all_idle when occupied = no_lane else
     job_valid and job_query when (asked and is_oldest) /= no_lane and (occupied and is_next) = no_lane else '0';
-  admits <= '0' when (occupied and is_candidate and not admitted) = no_lane else '1';
+  unadmitted <= occupied and not admitted;
 
   here <= admitted and is_oldest;
   -- What has just begun was idle a clock ago.
@@ -227,35 +196,47 @@ begin
       stopped => stopped
     );
 
-  -- ===== Checks =====
-  load_check <= '1' when phase = check_state and checks = "01" else '0';
-
-  check : entity work.engine_check
+  admission : entity work.engine_admission
     port map (
       clk => clk,
-      load => load_check,
+      reset => reset,
+      forget => forget,
+      job_due => job_due,
+      job_query => job_query,
+      taken => taken,
+      stored => job_stored,
+      next_lane => next_lane,
+      next_flags => is_next,
+      oldest => oldest_lane,
+      oldest_flags => is_oldest,
+      unadmitted => unadmitted,
+      busy => admission_busy,
+      checked_lane => checked_lane,
       checked => checked,
-      known => known,
-      moved => moved,
       most_expansions => most_expansions,
-      outside => outside,
-      empty => empty
+      admits => admits,
+      starts => starts,
+      refused => refused,
+      start => started_pulse,
+      start_lane => start_lane,
+      aborting => aborting,
+      memory_draining => memory_draining,
+      memory_silent => memory_silent,
+      flush => flush,
+      flushing => flushing
     );
 
   -- ===== From job to report =====
   proceed : process (clk)
-    variable next_phase : phase_state;
     variable next_oldest : lane_number;
-    variable next_is_oldest : flags;
-    variable now_occupied : flags;
-    variable now_started : flags;
+    variable next_is_oldest : lane_flags;
+    variable now_occupied : lane_flags;
+    variable now_started : lane_flags;
     variable now_reasons : lane_reasons;
-    variable now_sound : flags;
+    variable now_sound : lane_flags;
     variable now_reporting : std_logic;
-    variable now_taken : std_logic;  -- take_state comes, told apart from what follows in the other states
   begin
     if rising_edge(clk) then
-      next_phase := phase;
       next_oldest := oldest_lane;
       next_is_oldest := is_oldest;
       now_occupied := occupied;
@@ -263,32 +244,14 @@ begin
       now_reasons := reasons;
       now_sound := sound;
       now_reporting := reporting;
-      started_pulse <= '0';
-      started_lane <= admitted_lane;
       idle_is_old <= taken or retires;
       reads_before <= reads;
       error_before <= memory_error;
       silent_before <= memory_silent;
-      flush_now <= '0';
       aborting <= fails and not (reset or forget);
 
-      -- Jobs, and the query that is admitted next.
-      job_found <= '0';
-      now_taken := '0';
-      if phase = waiting_state then
-        checks <= "00";
-        if admits = '1' then
-          next_phase := check_state;
-        elsif job_found = '1' then
-          next_phase := take_state;
-          now_taken := '1';
-        end if;
-        job_found <= job_due and not (admits or job_found);
-      elsif phase = take_state then
-        next_phase := waiting_state;
-        if job_query = '1' then
-          next_phase := check_state;
-        end if;
+      -- Jobs, and the query that is admitted.
+      if taken = '1' then
         next_lane <= next_lane + 1;
         is_next <= rotated(is_next);
         for lane in 0 to lanes - 1 loop
@@ -305,62 +268,17 @@ begin
             admitted(lane) <= not job_query;
           end if;
         end loop;
-        if job_query = '0' then
-          admitted_lane <= next_lane + 1;
-          is_candidate <= rotated(is_next);
-        end if;
-      elsif phase = check_state then
-        checks <= checks + 1;
-        starts <= '0';
-        if checks = "11" then
-          next_phase := admit_state;
-          if outside /= "0000" then
-            refused <= reason_memory;
-            known <= '0';
-          elsif empty = '1' then
-            refused <= reason_bad_tree;
-            known <= '0';
-          elsif moved /= no_place then
-            -- Not before the queries that read what is in the caches are done.
-            checks <= checks;
-            next_phase := check_state;
-            if admitted_lane = oldest_lane then
-              flush_now <= '1';
-              next_phase := flush_state;
-            end if;
-          else
-            starts <= '1';
-          end if;
-        end if;
-      elsif phase = flush_state then
-        known <= '1';
-        refused <= reason_silent;
-        -- The caches say that they are at it from the clock after flush on.
-        if memory_draining = '1' then
-          if memory_silent = '1' then
-            known <= '0';
-            next_phase := admit_state;
-          end if;
-        elsif flush_now = '0' and flushing = '0' then
-          starts <= '1';
-          next_phase := admit_state;
-        end if;
-      else
-        next_phase := waiting_state;
-        admitted_lane <= admitted_lane + 1;
-        is_candidate <= rotated(is_candidate);
-        started_pulse <= starts;
-        for lane in 0 to lanes - 1 loop
-          if is_candidate(lane) = '1' then
-            admitted(lane) <= '1';
-            now_started(lane) := starts;
-            if starts = '0' then
-              now_reasons(lane) := refused;
-              now_sound(lane) := '0';
-            end if;
-          end if;
-        end loop;
       end if;
+      for lane in 0 to lanes - 1 loop
+        if admits(lane) = '1' then
+          admitted(lane) <= '1';
+          now_started(lane) := starts;
+          if starts = '0' then
+            now_reasons(lane) := refused;
+            now_sound(lane) := '0';
+          end if;
+        end if;
+      end loop;
 
       -- Reasons to end are found in one clock and taken in the next; that of the oldest stays from its report on.
       for lane in 0 to lanes - 1 loop
@@ -402,10 +320,6 @@ begin
       elsif aborting = '1' then
         -- What memory still answers is drained behind the report.
         now_reporting := '1';
-        known <= '0';
-        next_phase := waiting_state;
-        now_taken := '0';
-        started_pulse <= '0';
         for lane in 0 to lanes - 1 loop
           if is_oldest(lane) = '0' then
             admitted(lane) <= '0';
@@ -420,8 +334,6 @@ begin
             end if;
           end if;
         end loop;
-        admitted_lane <= oldest_lane + 1;
-        is_candidate <= rotated(is_oldest);
       elsif done = '1' and fails = '0' then
         now_reporting := '1';
       end if;
@@ -433,7 +345,7 @@ begin
       end if;
       -- Not later than the job that is taken stops to wait.
       busy_now <= '0';
-      if occupied /= no_lane or phase /= waiting_state then
+      if occupied /= no_lane or admission_busy = '1' then
         busy_now <= '1';
       end if;
       for lane in 0 to lanes - 1 loop
@@ -446,22 +358,14 @@ begin
         busy_now <= not reset;
         ending_now <= all_lanes;
         drops <= no_lane;
-        next_phase := waiting_state;
-        now_taken := '0';
-        job_found <= '0';
         now_reporting := '0';
         now_occupied := no_lane;
         now_started := no_lane;
         admitted <= no_lane;
         has_pose <= no_lane;
-        started_pulse <= '0';
-        known <= '0';
-        flush_now <= '0';
         -- One report for all that is forgotten, in the lane of the oldest.
         next_oldest := oldest_lane;
         next_is_oldest := is_oldest;
-        admitted_lane <= oldest_lane;
-        is_candidate <= is_oldest;
         next_lane <= oldest_lane;
         is_next <= is_oldest;
         if reset = '0' then
@@ -475,14 +379,11 @@ begin
               now_sound(lane) := '0';
             end if;
           end loop;
-          admitted_lane <= oldest_lane + 1;
-          is_candidate <= rotated(is_oldest);
           next_lane <= oldest_lane + 1;
           is_next <= rotated(is_oldest);
         end if;
       end if;
 
-      phase <= next_phase;
       oldest_lane <= next_oldest;
       is_oldest <= next_is_oldest;
       occupied <= now_occupied;
@@ -490,8 +391,6 @@ begin
       reasons <= now_reasons;
       sound <= now_sound;
       reporting <= now_reporting;
-      taken <= now_taken;
-      stored <= now_taken;
     end if;
   end process proceed;
 end architecture rtl;

@@ -66,8 +66,8 @@ architecture rtl of engine_command is
   constant too_short : std_logic_vector(4 downto 0) := reason_too_short;
   constant too_long : std_logic_vector(4 downto 0) := reason_too_long;
 
-  -- Two words are held, so that TREADY depends on registers alone. What a word has of a header is found in parts when it arrives.
-  -- Its low half is that of a kind:
+  -- Two words are held, so that TREADY depends on registers alone. What a word is, is found in parts when it arrives. Of a header,
+  -- its low half is that of a kind:
   constant is_query : natural := 0;
   constant is_stop : natural := 1;
   constant is_reset : natural := 2;
@@ -76,7 +76,10 @@ architecture rtl of engine_command is
   constant is_short : natural := 5;  -- its low byte is 1 or 2
   constant is_formatted : natural := 6;  -- its high half is that of a query
   constant is_clear : natural := 7;  -- what is below a number is zero
-  constant kinds : natural := 8;
+  -- As a word of a query, behind the header, it has only values that there are:
+  constant is_options : natural := 8;
+  constant is_row : natural := 9;
+  constant kinds : natural := 10;
   signal kind : std_logic_vector(kinds - 1 downto 0);
   signal running : std_logic := '0';
   signal head_valid : std_logic := '0';
@@ -159,6 +162,10 @@ begin
   kind(is_short) <= '1' when s_axis_tdata(7 downto 0) = pairs_header(7 downto 0) or s_axis_tdata(7 downto 0) = pose_header(7 downto 0) else '0';
   kind(is_formatted) <= '1' when s_axis_tdata(63 downto 32) = query_format else '0';
   kind(is_clear) <= '1' when s_axis_tdata(39 downto 32) = "00000000" else '0';
+  kind(is_options) <= '1' when s_axis_tdata(39 downto 36) = "0000" else '0';
+  -- A word that is none, in front of the first one or between two, is not looked at.
+  kind(is_row) <= '0' when s_axis_tvalid = '0' or unsigned(s_axis_tdata(2 downto 0)) >= 6 or unsigned(s_axis_tdata(17 downto 15)) >= 6 or unsigned(s_axis_tdata(32 downto 30)) >= 6 else
+    '1' when s_axis_tdata(63 downto 58) = "000000" else '0';
 
   hold : process (clk)
   begin
@@ -219,12 +226,7 @@ begin
   reset_taken <= goes and going.soft_reset;
   clears <= reset or soft_reset or reset_taken;
   shifts <= (head_valid and gathers and not pending) or moving;
-  -- A word that is none, in front of the first one or between two, is not looked at.
-  unfit <= '0' when head_valid = '0' else '1' when
-    (at_options = '1' and head(39 downto 36) /= "0000") or
-    (at_record = '1' and head(31) = '1') or
-    (at_rows = '1' and (unsigned(head(2 downto 0)) >= 6 or unsigned(head(17 downto 15)) >= 6 or unsigned(head(32 downto 30)) >= 6 or head(63 downto 58) /= "000000"))
-    else '0';
+  unfit <= (at_options and not head_kind(is_options)) or (at_record and head(31)) or (at_rows and not head_kind(is_row));
 
   receive : process (clk)
     variable found : std_logic_vector(4 downto 0);

@@ -64,22 +64,21 @@ architecture rtl of engine_issue is
   constant in_flight : natural := 16;
   constant flight_bits : natural := 4;
   constant crowd : natural := 3;
-  subtype flags is std_logic_vector(lanes - 1 downto 0);
-  constant nobody : flags := (others => '0');
+  constant nobody : lane_flags := (others => '0');
 
-  signal starts : flags;
+  signal starts : lane_flags;
   signal more_expansions : unsigned(31 downto 0);  -- behind the first
   signal only_one : std_logic;
   type lane_entries is array (0 to lanes - 1) of std_logic_vector(entry_bits - 1 downto 0);
   signal pop : std_logic;
-  signal lives : flags;  -- chosen, and not ended
-  signal pops : flags;
-  signal may_pop : flags;
+  signal lives : lane_flags;  -- chosen, and not ended
+  signal pops : lane_flags;
+  signal may_pop : lane_flags;
   -- The oldest query, a clock later: the next one is oldest only when nothing of the one before it is left.
   signal first_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
-  signal choice : flags;  -- the oldest lane that may
+  signal choice : lane_flags;  -- the oldest lane that may
   signal choice_lane : std_logic_vector(lane_bits - 1 downto 0);
-  signal chosen : flags := (others => '0');  -- the lane that pops next; none may be
+  signal chosen : lane_flags := (others => '0');  -- the lane that pops next; none may be
   signal chosen_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal some_chosen : std_logic;
   signal chosen_entry : std_logic_vector(entry_bits - 1 downto 0);
@@ -104,7 +103,7 @@ begin
   only_one <= '1' when unsigned(most_expansions) = 1 else '0';
 
   each_lane : for lane in 0 to lanes - 1 generate
-    signal earlier : flags;  -- lanes of older queries that may pop
+    signal earlier : lane_flags;  -- lanes of older queries that may pop
     signal oldest_here : std_logic;
     -- Events of this lane.
     signal met_here : std_logic;
@@ -159,7 +158,7 @@ begin
   end generate each_lane;
 
   number_lane : for digit in 0 to lane_bits - 1 generate
-    signal has_bit : flags;
+    signal has_bit : lane_flags;
   begin
     lanes_with_bit : for lane in 0 to lanes - 1 generate
       has_bit(lane) <= choice(lane) when (lane / 2 ** digit) mod 2 = 1 else '0';

@@ -134,7 +134,22 @@ package engine_layout is
 
   -- Memory.
   constant memory_width : natural := 64;  -- bits of a word
+  -- A flag for each lane; the same, each that of the lane before.
+  subtype lane_flags is std_logic_vector(lanes - 1 downto 0);
+  function rotated(flags : lane_flags) return lane_flags;
+
 
   -- Memories that synthesis would otherwise put where it likes: XST and Vivado read it.
   attribute ram_style : string;
 end package engine_layout;
+
+package body engine_layout is
+  function rotated(flags : lane_flags) return lane_flags is
+    variable turned : lane_flags;
+  begin
+    for lane in 0 to lanes - 1 loop
+      turned(lane) := flags((lane + lanes - 1) mod lanes);
+    end loop;
+    return turned;
+  end function rotated;
+end package body engine_layout;

@@ -34,20 +34,19 @@ entity engine_stop is
 end entity engine_stop;
 
 architecture rtl of engine_stop is
-  subtype flags is std_logic_vector(lanes - 1 downto 0);
-  constant no_lane : flags := (others => '0');
+  constant no_lane : lane_flags := (others => '0');
   type lane_numbers is array (0 to lanes - 1) of std_logic_vector(23 downto 0);
   signal numbers : lane_numbers := (others => (others => '0'));
   signal order : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- the oldest lane, a clock ago: the one that is free since then is not found, and the others come in the same order
   signal due : std_logic := '0';
   signal same_job : std_logic;
   signal same_job_before : std_logic := '0';
-  signal same : flags := (others => '0');  -- lanes whose number it is
-  signal moved : flags := (others => '0');  -- lanes that got a job a clock ago: same_job_before says whether its number is meant
-  signal found : flags := (others => '0');  -- lanes with such a query
+  signal same : lane_flags := (others => '0');  -- lanes whose number it is
+  signal moved : lane_flags := (others => '0');  -- lanes that got a job a clock ago: same_job_before says whether its number is meant
+  signal found : lane_flags := (others => '0');  -- lanes with such a query
   signal found_job : std_logic := '0';  -- the job that waits has it
-  signal first : flags;  -- the oldest of those lanes
-  signal stopped_now : flags := (others => '0');
+  signal first : lane_flags;  -- the oldest of those lanes
+  signal stopped_now : lane_flags := (others => '0');
   signal waiting_stopped : std_logic := '0';  -- a stop was for the job that waits
   signal forgotten : std_logic;
 begin
@@ -57,7 +56,7 @@ begin
   same_job <= job_valid and job_query when job_number = stop_number else '0';
 
   match : for lane in 0 to lanes - 1 generate
-    signal earlier : flags;  -- older queries with that number
+    signal earlier : lane_flags;  -- older queries with that number
   begin
     by_age : for other in 0 to lanes - 1 generate
       earlier(other) <= found(other) when other - order < lane - order else '0';

@@ -40,10 +40,14 @@ architecture rtl of volume_tests is
   signal u_d1 : signed_28_x9_t := zero_signed_28_x9;  -- s6.22; |.| <= 100605968
   signal v_d1 : signed_25_x2_x9_t := zero_signed_25_x2_x9;  -- s3.22; |.| <= 16744448
   signal apart : flag_x2_x9_t;
-  signal apart_in_phase_word_d1 : unsigned_9_x2_t := zero_unsigned_9_x2;
-  signal apart_in_phase : std_logic_vector(1 downto 0);
+  signal apart_in_phase_word_d1 : unsigned_3_x2_x3_t := zero_unsigned_3_x2_x3;
+  signal apart_in_phase : flag_x2_x3_t;
   signal apart_found_word_captured_first : flag_x2_x2_t := zero_flag_x2_x2;
   signal apart_found_word_captured_second : flag_x2_x2_t := zero_flag_x2_x2;
+  signal apart_found_word_captured_third : flag_x2_x2_t := zero_flag_x2_x2;
+  signal apart_found_word_captured_fourth : flag_x2_x2_t := zero_flag_x2_x2;
+  signal apart_found_word_captured_fifth : flag_x2_x2_t := zero_flag_x2_x2;
+  signal apart_found_word_captured_sixth : flag_x2_x2_t := zero_flag_x2_x2;
   signal apart_unit_bound : signed_28_x9_t;
 begin
   -- Clock 7
@@ -93,24 +97,31 @@ begin
   clock_9 : process (clk)
   begin
     if rising_edge(clk) then
-      for k in 0 to 1 loop
-        apart_in_phase_word_d1(k) <= apart(8)(k) & apart(7)(k) & apart(6)(k) & apart(5)(k) & apart(4)(k) & apart(3)(k)
-            & apart(2)(k) & apart(1)(k) & apart(0)(k);
+      for m in 0 to 1 loop
+        apart_in_phase_word_d1(0)(m) <= apart(2)(m) & apart(1)(m) & apart(0)(m);
+        apart_in_phase_word_d1(1)(m) <= apart(5)(m) & apart(4)(m) & apart(3)(m);
+        apart_in_phase_word_d1(2)(m) <= apart(8)(m) & apart(7)(m) & apart(6)(m);
       end loop;
     end if;
   end process clock_9;
-  apart_in_phase_each : for k in 0 to 1 generate
-    apart_in_phase(k) <= or_reduce(apart_in_phase_word_d1(k));
-  end generate apart_in_phase_each;
+  apart_in_phase_each_of : for k in 0 to 2 generate
+    apart_in_phase_each : for m in 0 to 1 generate
+      apart_in_phase(k)(m) <= or_reduce(apart_in_phase_word_d1(k)(m));
+    end generate apart_in_phase_each;
+  end generate apart_in_phase_each_of;
 
   -- Clock 12
   apart_found_0_each : for k in 0 to 1 generate
-    apart_found(k)(0) <= or_reduce(apart_found_word_captured_second(k)(0) & apart_found_word_captured_first(k)(0));
+    apart_found(k)(0) <= or_reduce(apart_found_word_captured_sixth(k)(0) & apart_found_word_captured_fifth(k)(0) &
+        apart_found_word_captured_fourth(k)(0) & apart_found_word_captured_third(k)(0) &
+        apart_found_word_captured_second(k)(0) & apart_found_word_captured_first(k)(0));
   end generate apart_found_0_each;
 
   -- Clock 13
   apart_found_1_each : for k in 0 to 1 generate
-    apart_found(k)(1) <= or_reduce(apart_found_word_captured_second(k)(1) & apart_found_word_captured_first(k)(1));
+    apart_found(k)(1) <= or_reduce(apart_found_word_captured_sixth(k)(1) & apart_found_word_captured_fifth(k)(1) &
+        apart_found_word_captured_fourth(k)(1) & apart_found_word_captured_third(k)(1) &
+        apart_found_word_captured_second(k)(1) & apart_found_word_captured_first(k)(1));
   end generate apart_found_1_each;
 
   -- Registers that are loaded once per pair
@@ -138,10 +149,14 @@ begin
       for k in 0 to 1 loop
         for m in 0 to 1 loop
           if strobe(m + 1) = '1' then
-            apart_found_word_captured_first(k)(m) <= apart_in_phase(k);
+            apart_found_word_captured_first(k)(m) <= apart_in_phase(0)(k);
+            apart_found_word_captured_third(k)(m) <= apart_in_phase(1)(k);
+            apart_found_word_captured_fifth(k)(m) <= apart_in_phase(2)(k);
           end if;
           if strobe((m + 3) mod 4) = '1' then
-            apart_found_word_captured_second(k)(m) <= apart_in_phase(k);
+            apart_found_word_captured_second(k)(m) <= apart_in_phase(0)(k);
+            apart_found_word_captured_fourth(k)(m) <= apart_in_phase(1)(k);
+            apart_found_word_captured_sixth(k)(m) <= apart_in_phase(2)(k);
           end if;
         end loop;
       end loop;

@@ -10,8 +10,8 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 package volume_types is
-  type unsigned_9_x2_t is array (0 to 1) of unsigned(8 downto 0);
-  constant zero_unsigned_9_x2 : unsigned_9_x2_t := (others => (others => '0'));
+  type unsigned_3_x2_t is array (0 to 1) of unsigned(2 downto 0);
+  constant zero_unsigned_3_x2 : unsigned_3_x2_t := (others => (others => '0'));
   type signed_10_x2_t is array (0 to 1) of signed(9 downto 0);
   constant zero_signed_10_x2 : signed_10_x2_t := (others => (others => '0'));
   type signed_25_x2_t is array (0 to 1) of signed(24 downto 0);
@@ -59,6 +59,9 @@ package volume_types is
   constant zero_flag_x2_x2 : flag_x2_x2_t := (others => (others => '0'));
   type signed_10_x18_x2_t is array (0 to 1) of signed_10_x18_t;
   constant zero_signed_10_x18_x2 : signed_10_x18_x2_t := (others => zero_signed_10_x18);
+  type flag_x2_x3_t is array (0 to 2) of std_logic_vector(1 downto 0);
+  type unsigned_3_x2_x3_t is array (0 to 2) of unsigned_3_x2_t;
+  constant zero_unsigned_3_x2_x3 : unsigned_3_x2_x3_t := (others => zero_unsigned_3_x2);
   type flag_x4_x3_t is array (0 to 2) of std_logic_vector(3 downto 0);
   constant zero_flag_x4_x3 : flag_x4_x3_t := (others => (others => '0'));
   type signed_18_vector_x3_t is array (0 to 2) of signed_18_vector_t;

@@ -86,8 +86,8 @@ architecture rtl of {{ prefix }}engine_command is
   constant too_short : std_logic_vector(4 downto 0) := reason_too_short;
   constant too_long : std_logic_vector(4 downto 0) := reason_too_long;
 
-  -- Two words are held, so that TREADY depends on registers alone. What a word has of a header is found in parts when it arrives.
-  -- Its low half is that of a kind:
+  -- Two words are held, so that TREADY depends on registers alone. What a word is, is found in parts when it arrives. Of a header,
+  -- its low half is that of a kind:
   constant is_query : natural := 0;
   constant is_stop : natural := 1;
   constant is_reset : natural := 2;
@@ -96,8 +96,11 @@ architecture rtl of {{ prefix }}engine_command is
   constant is_short : natural := 5;  -- its low byte is 1 or 2
   constant is_formatted : natural := 6;  -- its high half is that of a query
   constant is_clear : natural := 7;  -- what is below a number is zero
+  -- As a word of a query, behind the header, it has only values that there are:
+  constant is_options : natural := 8;
+  constant is_row : natural := 9;
 {%- if e.block_ram %}
-  constant is_load : natural := 8;  -- its low half is that of a load
+  constant is_load : natural := 10;  -- its low half is that of a load
 {%- endif %}
   constant kinds : natural := {{ e.query.kinds }};
 {% include "engine/held_signals.vhd" %}
@@ -192,6 +195,10 @@ begin
   kind(is_short) <= '1' when s_axis_tdata(7 downto 0) = pairs_header(7 downto 0) or s_axis_tdata(7 downto 0) = pose_header(7 downto 0) else '0';
   kind(is_formatted) <= '1' when s_axis_tdata(63 downto 32) = query_format else '0';
   kind(is_clear) <= '1' when s_axis_tdata(39 downto 32) = "00000000" else '0';
+  kind(is_options) <= '1' when s_axis_tdata(39 downto 36) = "0000" else '0';
+  -- A word that is none, in front of the first one or between two, is not looked at.
+  kind(is_row) <= '0' when s_axis_tvalid = '0' {% for slot in e.query.checked_slots %}or unsigned(s_axis_tdata({{ slot.bits }})) >= {{ slot.count }} {% endfor %}else
+    '1' when s_axis_tdata(63 downto {{ e.query.row_bits }}) = "{{ e.query.row_zeros }}" else '0';
 {%- if e.block_ram %}
   kind(is_load) <= '1' when s_axis_tdata(31 downto 0) = load_header else '0';
 {%- endif %}
@@ -217,12 +224,7 @@ begin
   reset_taken <= goes and going.soft_reset;
   clears <= reset or soft_reset or reset_taken;
   shifts <= (head_valid and gathers and not pending) or moving;
-  -- A word that is none, in front of the first one or between two, is not looked at.
-  unfit <= '0' when head_valid = '0' else '1' when
-    (at_options = '1' and head(39 downto 36) /= "0000") or
-    (at_record = '1' and head(31) = '1') or
-    (at_rows = '1' and ({% for slot in e.query.checked_slots %}unsigned(head({{ slot.bits }})) >= {{ slot.count }} or {% endfor %}head(63 downto {{ e.query.row_bits }}) /= "{{ e.query.row_zeros }}"))
-    else '0';
+  unfit <= (at_options and not head_kind(is_options)) or (at_record and head(31)) or (at_rows and not head_kind(is_row));
 {%- if e.unit.signs.len() > 0 %}
   word_unfit <= '1' when
 {%- for sign in e.unit.signs %}

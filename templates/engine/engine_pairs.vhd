@@ -60,8 +60,7 @@ architecture rtl of {{ prefix }}engine_pairs is
   constant all_places : natural := {{ e.traversal.all_pairs }};
   constant place_bits : natural := {{ e.traversal.pair_bits }};
   constant open_bits : natural := {{ e.traversal.open_bits }};
-  subtype flags is std_logic_vector(lanes - 1 downto 0);
-  constant nobody : flags := (others => '0');
+  constant nobody : lane_flags := (others => '0');
   -- The queues: the place of a pair is behind its lane.
   type pairs is array (0 to all_places - 1) of std_logic_vector(55 downto 0);
   signal queue : pairs := (others => (others => '0'));
@@ -70,8 +69,8 @@ architecture rtl of {{ prefix }}engine_pairs is
   signal fetched : lane_places := (others => (others => '0'));
   type lane_counts is array (0 to lanes - 1) of unsigned(place_bits downto 0);
   signal waiting : lane_counts := (others => (others => '0'));  -- in the queue
-  signal some_wait : flags := (others => '0');
-  signal full : flags := (others => '0');  -- but for one place at most
+  signal some_wait : lane_flags := (others => '0');
+  signal full : lane_flags := (others => '0');  -- but for one place at most
   -- That of the oldest query was full a clock ago, so all pairs wait: the one that came meanwhile has the last place. Others are never
   -- stopped by theirs.
   signal oldest_full : std_logic := '0';
@@ -83,7 +82,7 @@ architecture rtl of {{ prefix }}engine_pairs is
   -- The first pair of the front lane and the two behind it: a memory is far from where its word goes, and that the first one
   -- leaves is known late in a clock, so that one more is read whenever there is a place.
   signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
-  signal is_front : flags := (0 => '1', others => '0');  -- the same, a flag for each lane
+  signal is_front : lane_flags := (0 => '1', others => '0');  -- the same, a flag for each lane
   signal front_is_oldest : std_logic := '1';  -- front_lane = oldest
   signal next_lane : unsigned(lane_bits - 1 downto 0);
   signal front_ending : std_logic;
@@ -114,11 +113,11 @@ architecture rtl of {{ prefix }}engine_pairs is
   -- Pairs asked for and not answered.
   type open_counts is array (0 to lanes - 1) of unsigned(open_bits - 1 downto 0);
   signal open_pairs : open_counts := (others => (others => '0'));
-  signal some_open : flags := (others => '0');
+  signal some_open : lane_flags := (others => '0');
   -- What a clock has changed of them, counted in the next one; one that is new is open at once.
-  signal opened : flags := (others => '0');
-  signal dropped_one : flags := (others => '0');
-  signal answered_one : flags := (others => '0');
+  signal opened : lane_flags := (others => '0');
+  signal dropped_one : lane_flags := (others => '0');
+  signal answered_one : lane_flags := (others => '0');
   signal ends_front : std_logic;  -- the query in front is done
   signal may_advance : std_logic;  -- the front lane has no more to ask for, and the next one may be the front
   signal advances : std_logic := '0';  -- a clock later; until then nothing of it changes
@@ -331,9 +330,7 @@ begin
         some_of_last <= front_left;
         last_lane <= front_lane;
         front_lane <= next_lane;
-        for lane in 0 to lanes - 1 loop
-          is_front(lane) <= is_front((lane + lanes - 1) mod lanes);
-        end loop;
+        is_front <= rotated(is_front);
         has_pose <= '0';
       end if;
       if advances = '1' and retire = '0' then

@@ -580,8 +580,8 @@ fn every_packet_becomes_what_it_is() {
             "        fault <= fine;\n        gathers <= '0';\n        occupied <= '0';\n        moving <= '0';\n        stop <=",
             "        fault <= fine;\n        stop <=",
         ),
-        ("    (at_options = '1' and head(39 downto 36) /= \"0000\") or\n", ""),
-        ("    (at_record = '1' and head(31) = '1') or\n", ""),
+        ("(at_options and not head_kind(is_options)) or ", ""),
+        ("(at_record and head(31)) or ", ""),
         ("answer_short := going.short;", "answer_short := '0';"),
         (
             "if at_rows = '1' then\n              found := too_long;",

@@ -522,7 +522,7 @@ fn jobs_are_checked_and_run_and_reported() {
         ("if flush_now = '0' and flushing = '0' then", "if flushing = '0' then"),
         ("moved(4) <= not known or not", "moved(4) <= not"),
         // A query starts that is refused; the reason of a memory error is that of all, or a query is done that has failed.
-        ("started_pulse <= starts;", "started_pulse <= '1';"),
+        ("started_pulse <= starts_now;", "started_pulse <= '1';"),
         ("          elsif sound(lane) = '1' then\n", "          else\n"),
         ("elsif done = '1' and fails = '0' then", "elsif done = '1' then"),
         // What has just begun is done.
@@ -540,7 +540,7 @@ fn jobs_are_checked_and_run_and_reported() {
             "if (found(lane) and started_now(lane)) = '1' then",
         ),
         ("if contact = '1' and is_oldest(lane) = '1' then", "if contact = '1' then"),
-        ("if admitted_lane = oldest_lane then", "if admitted_lane = admitted_lane then"),
+        ("if admitted_lane = oldest then", "if admitted_lane = admitted_lane then"),
         // A stop is for whatever runs, for all of a number, or for nobody who waits; a contact for all.
         ("if numbers(lane) = stop_number then", "if true then"),
         ("first(lane) <= found(lane) when earlier = no_lane else '0';", "first(lane) <= found(lane);"),
@@ -555,7 +555,7 @@ fn jobs_are_checked_and_run_and_reported() {
             "            now_reasons(lane) := fine;",
         ),
         ("numbers(lane) <= forget_number;", "numbers(lane) <= job_number;"),
-        ("stored <= now_taken;", "stored <= '0';"),
+        ("stored_now <= now_taken;", "stored_now <= '0';"),
         // Pairs are dropped too long, or of a query that has not begun.
         ("        drops <= no_lane;\n", ""),
         ("drops(lane) <= started_now(lane) and not sound(lane);", "drops(lane) <= not sound(lane);"),
@@ -564,19 +564,31 @@ fn jobs_are_checked_and_run_and_reported() {
         // Behind a soft reset, the flag of the next job is another one than its lane.
         ("          is_next <= rotated(is_oldest);\n", ""),
         // The lane that is admitted next is another one than its number says, behind each of what moves it.
-        ("          is_candidate <= rotated(is_oldest);\n          next_lane", "          next_lane"),
-        ("        is_candidate <= rotated(is_candidate);\n", ""),
-        ("          is_candidate <= rotated(is_next);\n", ""),
-        ("        is_candidate <= rotated(is_oldest);\n      elsif done", "      elsif done"),
-        ("(occupied and is_candidate and not admitted)", "(occupied and is_candidate)"),
-        // A job is taken although the query before it fails, or all is forgotten in that clock.
-        ("        now_taken := '0';\n        job_found <=", "        job_found <="),
         (
-            "        now_taken := '0';\n        started_pulse <= '0';\n        for lane",
-            "        started_pulse <= '0';\n        for lane",
+            "          is_candidate <= rotated(oldest_flags);\n        end if;\n      end if;\n\n",
+            "        end if;\n      end if;\n\n",
+        ),
+        ("        is_candidate <= rotated(is_candidate);\n", ""),
+        ("          is_candidate <= rotated(next_flags);\n", ""),
+        ("        is_candidate <= rotated(oldest_flags);\n      end if;\n\n", "      end if;\n\n"),
+        ("unadmitted <= occupied and not admitted;", "unadmitted <= occupied;"),
+        // A job is taken although the query before it fails, or all is forgotten in that clock.
+        (
+            "        now_taken := '0';\n        job_found <= '0';\n        started_pulse <= '0';\n        known <= '0';\n        flush",
+            "        job_found <= '0';\n        started_pulse <= '0';\n        known <= '0';\n        flush",
+        ),
+        (
+            "        now_taken := '0';\n        job_found <= '0';\n        started_pulse <= '0';\n        known <= '0';\n        admitted",
+            "        job_found <= '0';\n        started_pulse <= '0';\n        known <= '0';\n        admitted",
         ),
     ];
     let design =
         EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());
-    tried_with(&design.unwrap(), "engine_control", &["engine_check", "engine_stop"], &changes, control);
+    tried_with(
+        &design.unwrap(),
+        "engine_control",
+        &["engine_check", "engine_admission", "engine_stop"],
+        &changes,
+        control,
+    );
 }

@@ -247,7 +247,7 @@ fn pairs_are_asked_for_in_order_and_counted() {
         ("and advance_free and not (held or front_waits)", "and advance_free and not (read_valid or front_waits)"),
         ("and advance_free and not (held or front_waits)", "and advance_free and not held"),
         ("held <= head_valid or next_valid or read_valid;", "held <= head_valid or next_valid;"),
-        ("is_front(lane) <= is_front((lane + lanes - 1) mod lanes);", "is_front(lane) <= is_front(lane);"),
+        ("is_front <= rotated(is_front);", "is_front <= is_front;"),
         ("some_of_last <= front_left;", "some_of_last <= '0';"),
         ("if (advances or ends_front) = '1' then", "if advances = '1' then"),
         ("may_advance and not advances and not ends_front;", "may_advance and not ends_front;"),

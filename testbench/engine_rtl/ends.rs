@@ -82,7 +82,7 @@ fn a_memory_that_does_not_answer_ends_queries() {
     bench.passes(vectors.text(), &options);
 
     let changes = [
-        ("engine_control.vhd", "          if memory_silent = '1' then\n", "          if memory_silent = '0' then\n"),
+        ("engine_admission.vhd", "          if memory_silent = '1' then\n", "          if memory_silent = '0' then\n"),
         ("engine_control.vhd", "and (error_before or silent_before) and", "and error_before and"),
         (
             "engine_read_master.vhd",

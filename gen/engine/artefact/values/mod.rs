@@ -34,6 +34,8 @@ pub(super) struct Values {
     pub axi: bool,
     pub block_ram: bool,
     pub layout: Vec<Group>,
+    /// Queries have lanes.
+    pub lanes: bool,
     pub traversal: Traversal,
     pub blocks: Blocks,
     pub unit: Unit,
@@ -55,6 +57,7 @@ impl Values {
             axi,
             block_ram: !axi,
             layout: layout::groups(design),
+            lanes: !design.by_number,
             traversal: Traversal::new(design),
             blocks: Blocks::new(format),
             unit: Unit::new(design),

@@ -19,7 +19,7 @@ pub(crate) struct Query {
     pub directions: u32,
     pub rows: u32,
     pub query_words: u32,
-    /// Kinds of header that are told apart.
+    /// What is told of a word when it arrives.
     pub kinds: u32,
     pub query_header: String,
     pub query_format: String,
@@ -60,7 +60,7 @@ impl Query {
             directions: format.k(),
             rows: format.rows(),
             query_words: format.query_words(),
-            kinds: if memory == Memory::BlockRam { 9 } else { 8 },
+            kinds: if memory == Memory::BlockRam { 11 } else { 10 },
             query_header: header(Command::Query),
             query_format: format!("{:08x}", format.header_high()),
             load_header: header(Command::Load),
