@@ -115,7 +115,7 @@ fn place(block: &Block, readers: &[Vec<usize>], i: usize) -> Place {
             };
             let twins = (0..reading.args.len()).filter(same).count() > at.len();
             let above = above.suffixed(&role(node));
-            if twins { above.suffixed(ORDINALS.get(at[0]).copied().unwrap_or("last")) } else { above }
+            if twins { above.suffixed(&ordinal(at[0])) } else { above }
         }
         _ => {
             // A multiplexer is made of its operands, not of what chooses among them.
@@ -124,6 +124,11 @@ fn place(block: &Block, readers: &[Vec<usize>], i: usize) -> Place {
             below.suffixed(&role(node))
         }
     }
+}
+
+/// The place of an operand, counted from 0, in words.
+fn ordinal(place: usize) -> String {
+    ORDINALS.get(place).map_or_else(|| format!("{}th", place + 1), |word| (*word).to_owned())
 }
 
 const ORDINALS: [&str; 8] = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth"];
