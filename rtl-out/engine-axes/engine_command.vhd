@@ -163,8 +163,11 @@ begin
   kind(is_formatted) <= '1' when s_axis_tdata(63 downto 32) = query_format else '0';
   kind(is_clear) <= '1' when s_axis_tdata(39 downto 32) = "00000000" else '0';
   kind(is_options) <= '1' when s_axis_tdata(39 downto 36) = "0000" else '0';
-  -- A word that is none, in front of the first one or between two, is not looked at.
-  kind(is_row) <= '0' when s_axis_tvalid = '0' or unsigned(s_axis_tdata(2 downto 0)) >= 6 or unsigned(s_axis_tdata(17 downto 15)) >= 6 or unsigned(s_axis_tdata(32 downto 30)) >= 6 else
+  -- In simulation the bits of a word that is none may be unknown.
+  kind(is_row) <= '0' when s_axis_tvalid = '0'
+    or to_01(unsigned(s_axis_tdata(2 downto 0))) >= 6
+    or to_01(unsigned(s_axis_tdata(17 downto 15))) >= 6
+    or to_01(unsigned(s_axis_tdata(32 downto 30))) >= 6 else
     '1' when s_axis_tdata(63 downto 58) = "000000" else '0';
 
   hold : process (clk)

@@ -196,8 +196,9 @@ begin
   kind(is_formatted) <= '1' when s_axis_tdata(63 downto 32) = query_format else '0';
   kind(is_clear) <= '1' when s_axis_tdata(39 downto 32) = "00000000" else '0';
   kind(is_options) <= '1' when s_axis_tdata(39 downto 36) = "0000" else '0';
-  -- A word that is none, in front of the first one or between two, is not looked at.
-  kind(is_row) <= '0' when s_axis_tvalid = '0' {% for slot in e.query.checked_slots %}or unsigned(s_axis_tdata({{ slot.bits }})) >= {{ slot.count }} {% endfor %}else
+  -- In simulation the bits of a word that is none may be unknown.
+  kind(is_row) <= '0' when s_axis_tvalid = '0'{% for slot in e.query.checked_slots %}
+    or to_01(unsigned(s_axis_tdata({{ slot.bits }}))) >= {{ slot.count }}{% endfor %} else
     '1' when s_axis_tdata(63 downto {{ e.query.row_bits }}) = "{{ e.query.row_zeros }}" else '0';
 {%- if e.block_ram %}
   kind(is_load) <= '1' when s_axis_tdata(31 downto 0) = load_header else '0';

@@ -582,6 +582,7 @@ fn every_packet_becomes_what_it_is() {
         ),
         ("(at_options and not head_kind(is_options)) or ", ""),
         ("(at_record and head(31)) or ", ""),
+        (" or (at_rows and not head_kind(is_row));", ";"),
         ("answer_short := going.short;", "answer_short := '0';"),
         (
             "if at_rows = '1' then\n              found := too_long;",
