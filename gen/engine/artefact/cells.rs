@@ -257,7 +257,7 @@ impl Sheet<'_> {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
         let flip_flops = lanes * (5 + 15) + 2 * lane_bits + 4 + 4 * axi;
-        let luts = self.of([14, 150, 27]) + lanes * self.of([75, 80, 55]) + self.chosen(5);
+        let luts = self.of([14, 150, 27]) + lanes * self.of([60, 60, 43]) + self.chosen(5);
         self.entity("engine_control", flip_flops, &[], &[], luts).holding(vec![self.admission(), self.stop()])
     }
 
@@ -265,7 +265,8 @@ impl Sheet<'_> {
     fn admission(&self) -> Entity {
         let (lanes, lane_bits, axi) =
             (self.design.params.queries, self.design.params.lane_bits(), u32::from(self.values.axi));
-        self.entity("engine_admission", lanes + 2 * lane_bits + 11 + 5 * axi, &[], &[], 0).holding(vec![self.check()])
+        let (flip_flops, luts) = (lanes + 2 * lane_bits + 11 + 5 * axi, lanes * self.of([15, 20, 12]));
+        self.entity("engine_admission", flip_flops, &[], &[], luts).holding(vec![self.check()])
     }
 
     /// Bases, counts and a limit; what caches have is compared with what a query is about.
