@@ -3,10 +3,9 @@
 {% endfor -%}
 --
 -- From job to start. A job that can be taken is taken, if no query waits for its check. Queries are checked one at a time, in the
--- order of their lanes, and started or refused. After a soft reset no query waits, and after a memory error those behind the
--- oldest do.
+-- order of their lanes, and started or refused. After a soft reset no query waits.
 {%- if e.axi %}
--- A query about other objects than the one before it waits until it is the oldest; then the caches are emptied.
+-- After a memory error those behind the oldest wait once more. A query about other objects than the one before it waits until it is the oldest; then the caches are emptied.
 {%- endif %}
 --------------------------------------------------------------------------------
 library ieee;
@@ -60,7 +59,7 @@ architecture rtl of {{ prefix }}engine_admission is
   signal stored_now : std_logic := '1';
   signal admitted_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');  -- that is admitted next
   signal is_candidate : lane_flags := (0 => '1', others => '0');  -- the same, a flag for each lane
-  signal job_found : std_logic := '0';  -- a clock ago; nothing but its taking ends that, so no query comes to wait
+  signal job_found : std_logic := '0';  -- a clock ago; but for errors and resets it is taken, and until then no query comes to wait
   signal waits : std_logic;  -- a query is to be checked
   signal checks : unsigned(1 downto 0) := "00";
   -- What the check came to, a clock before its query is admitted.

@@ -3,7 +3,7 @@
 {% endfor -%}
 --
 -- The widths that the entities of the engine share, and the fields of their words: a subtype names the bits of a field, so
--- job_words(job_options) are the options of a query. Attributes for synthesis are declared here, too.
+-- job_words(job_options) are the options of a query. Flags of lanes and attributes for synthesis are declared here, too.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -17,12 +17,12 @@ package {{ prefix }}engine_layout is
   {{ item }}{% if item.what.len() > 0 %}  -- {{ item.what }}{% endif %}
 {%- endfor %}
 {%- endfor %}
-
 {%- if e.lanes %}
+
   -- A flag for each lane; the same, each that of the lane before.
   subtype lane_flags is std_logic_vector(lanes - 1 downto 0);
   function rotated(flags : lane_flags) return lane_flags;
-{% endif %}
+{%- endif %}
 
   -- Memories that synthesis would otherwise put where it likes: XST and Vivado read it.
   attribute ram_style : string;

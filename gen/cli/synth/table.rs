@@ -161,6 +161,8 @@ fn clock(text: &mut String, routed: &Routed) {
     let seeds: Vec<String> = routed.seeds.iter().map(megahertz).collect();
     let again = if routed.reroute { ", rerouted" } else { "" };
     let seeds = format!("{} (placer {}{again}, seeds 1 to {})", seeds.join(", "), routed.placer.name(), seeds.len());
+    let loads = routed.loads;
+    let _ = writeln!(text, "loads of one output: at most {} of logic, {} of a flip-flop", loads.logic, loads.flip_flop);
     let Some(middle) = routed.middle() else {
         let _ = writeln!(text, "clock: not routed in time, median of {seeds}");
         return;
@@ -168,11 +170,6 @@ fn clock(text: &mut String, routed: &Routed) {
     let median = middle.megahertz;
     let (asked, met) = (routed.asked, if routed.is_met() { "met" } else { "missed" });
     let _ = writeln!(text, "clock: {median:.1} MHz after routing, median of {seeds}; {asked} MHz {met}");
-    let _ = writeln!(
-        text,
-        "loads of one output: at most {} of logic, {} of a flip-flop",
-        routed.loads.logic, routed.loads.flip_flop
-    );
     path(text, &middle.critical);
 }
 

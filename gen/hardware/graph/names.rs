@@ -126,7 +126,7 @@ fn place(block: &Block, readers: &[Vec<usize>], i: usize) -> Place {
     }
 }
 
-/// The place of an operand, counted from 0, in words.
+/// The place of an operand, counted from 0: in words up to eighth, then 9th and so on.
 fn ordinal(place: usize) -> String {
     ORDINALS.get(place).map_or_else(|| format!("{}th", place + 1), |word| (*word).to_owned())
 }
