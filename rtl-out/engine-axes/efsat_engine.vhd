@@ -87,7 +87,7 @@ architecture rtl of efsat_engine is
   signal job_number : std_logic_vector(23 downto 0);
   signal job_words : std_logic_vector(job_bits - 1 downto 0);
   signal job_lane : std_logic_vector(lane_bits - 1 downto 0);
-  signal job_flags : std_logic_vector(lanes - 1 downto 0);
+  signal job_flags : lane_flags;
   signal packet_valid : std_logic;  -- a pair of a packet, not of a query
   signal packet_taken : std_logic;
   signal packet_last : std_logic;
@@ -98,12 +98,12 @@ architecture rtl of efsat_engine is
   signal busy : std_logic;
   signal running : std_logic;
   signal oldest : std_logic_vector(lane_bits - 1 downto 0);
-  signal oldest_flags : std_logic_vector(lanes - 1 downto 0);
+  signal oldest_flags : lane_flags;
   signal retire : std_logic;
-  signal counting : std_logic_vector(lanes - 1 downto 0);
-  signal posed : std_logic_vector(lanes - 1 downto 0);
-  signal started : std_logic_vector(lanes - 1 downto 0);
-  signal ending : std_logic_vector(lanes - 1 downto 0);
+  signal counting : lane_flags;
+  signal posed : lane_flags;
+  signal started : lane_flags;
+  signal ending : lane_flags;
   signal dropping : std_logic;
   signal start : std_logic;
   signal start_lane : std_logic_vector(lane_bits - 1 downto 0);
@@ -124,7 +124,7 @@ architecture rtl of efsat_engine is
   signal ends_at_contact : std_logic;
   signal option_separate_too : std_logic;
   signal separate_too : std_logic;
-  signal leaves_of : std_logic_vector(lanes - 1 downto 0);
+  signal leaves_of : lane_flags;
   signal leaves_only : std_logic := '0';  -- of the query whose pairs are at the unit
   signal query_pose : std_logic_vector(query_pose_bits - 1 downto 0);
   signal query_shift : std_logic_vector(query_shift_bits - 1 downto 0);
@@ -136,13 +136,13 @@ architecture rtl of efsat_engine is
   signal number : std_logic_vector(23 downto 0);
   signal report_due : std_logic;
   signal report_done : std_logic;
-  signal idle : std_logic_vector(lanes - 1 downto 0);
-  signal traverse_idle : std_logic_vector(lanes - 1 downto 0);
-  signal pairs_idle : std_logic_vector(lanes - 1 downto 0);
+  signal idle : lane_flags;
+  signal traverse_idle : lane_flags;
+  signal pairs_idle : lane_flags;
   signal pairs_read : std_logic;
   signal reads : std_logic;
-  signal bad_tree : std_logic_vector(lanes - 1 downto 0);
-  signal limit_reached : std_logic_vector(lanes - 1 downto 0);
+  signal bad_tree : lane_flags;
+  signal limit_reached : lane_flags;
   signal contact : std_logic;
 
   -- Blocks and volumes
@@ -168,7 +168,7 @@ architecture rtl of efsat_engine is
   signal pair_valid : std_logic;
   signal pair_ready : std_logic;
   signal pair_lane : std_logic_vector(lane_bits - 1 downto 0);
-  signal pair_left : std_logic_vector(lanes - 1 downto 0);
+  signal pair_left : lane_flags;
   signal front : std_logic_vector(lane_bits - 1 downto 0);
   signal pair_a : std_logic_vector(27 downto 0);
   signal pair_b : std_logic_vector(27 downto 0);
@@ -208,7 +208,7 @@ architecture rtl of efsat_engine is
   signal block_reads : std_logic_vector(1 downto 0);
   signal triangle_reads : std_logic_vector(1 downto 0);
   signal words_read : std_logic;
-  signal clear : std_logic_vector(lanes - 1 downto 0);
+  signal clear : lane_flags;
   signal renew : std_logic := '1';
   signal greatest_stack : unsigned(15 downto 0);
 

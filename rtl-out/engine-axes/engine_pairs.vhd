@@ -19,20 +19,20 @@ entity engine_pairs is
     reset : in std_logic;
     -- The queries.
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
-    oldest_flags : in std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
+    oldest_flags : in lane_flags;  -- the same, a flag for each lane
     retire : in std_logic;  -- it is done, and so is all of it here
-    posed : in std_logic_vector(lanes - 1 downto 0);  -- lanes with a pose for the unit
-    started : in std_logic_vector(lanes - 1 downto 0);
-    ending : in std_logic_vector(lanes - 1 downto 0);
-    leaves_only : in std_logic_vector(lanes - 1 downto 0);
-    traversed : in std_logic_vector(lanes - 1 downto 0);  -- no pair comes any more
+    posed : in lane_flags;  -- lanes with a pose for the unit
+    started : in lane_flags;
+    ending : in lane_flags;
+    leaves_only : in lane_flags;
+    traversed : in lane_flags;  -- no pair comes any more
     -- Pairs from the traversal.
     pair_valid : in std_logic;
     pair_ready : out std_logic;
     pair_lane : in std_logic_vector(lane_bits - 1 downto 0);
     pair_a : in std_logic_vector(27 downto 0);
     pair_b : in std_logic_vector(27 downto 0);
-    pair_left : out std_logic_vector(lanes - 1 downto 0) := (others => '0');  -- a clock ago one left the queue of the lane, or passed by it
+    pair_left : out lane_flags := (others => '0');  -- a clock ago one left the queue of the lane, or passed by it
     -- Triangles, those of the front lane.
     front : out std_logic_vector(lane_bits - 1 downto 0);
     request_valid : out std_logic;
@@ -50,7 +50,7 @@ entity engine_pairs is
     -- Pairs in the unit.
     sent : in std_logic;  -- while no query runs: a pair of a packet goes to the unit
     answered : in std_logic;  -- one pair more, of the oldest query or a packet
-    idle : out std_logic_vector(lanes - 1 downto 0) := (others => '1');  -- a clock ago every pair was answered or dropped, and the unit had had the pose
+    idle : out lane_flags := (others => '1');  -- a clock ago every pair was answered or dropped, and the unit had had the pose
     reads : out std_logic  -- the oldest query still waits for triangles
   );
 end entity engine_pairs;

@@ -21,15 +21,15 @@ entity engine_stop is
     job_query : in std_logic;
     job_number : in std_logic_vector(23 downto 0);
     job_taken : in std_logic;
-    job_flags : in std_logic_vector(lanes - 1 downto 0);  -- a flag for each lane: it gets that one
+    job_flags : in lane_flags;  -- a flag for each lane: it gets that one
     stop : in std_logic;
     stop_number : in std_logic_vector(23 downto 0);
     oldest : in unsigned(lane_bits - 1 downto 0);
-    oldest_flags : in std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
-    counting : in std_logic_vector(lanes - 1 downto 0);  -- lanes with a query that is not reported yet
+    oldest_flags : in lane_flags;  -- the same, a flag for each lane
+    counting : in lane_flags;  -- lanes with a query that is not reported yet
     retire : in std_logic;  -- the oldest query is done
     number : out std_logic_vector(23 downto 0);  -- of the oldest
-    stopped : out std_logic_vector(lanes - 1 downto 0)  -- lanes that a stop was for
+    stopped : out lane_flags  -- lanes that a stop was for
   );
 end entity engine_stop;
 

@@ -15,7 +15,7 @@ entity engine_survivors is
   port (
     clk : in std_logic;
     reset : in std_logic;
-    ending : in std_logic_vector(lanes - 1 downto 0);  -- pairs of leaves of it are dropped from the next clock on
+    ending : in lane_flags;  -- pairs of leaves of it are dropped from the next clock on
     -- An answer of the volume unit.
     met : in std_logic;
     met_lane : in unsigned(lane_bits - 1 downto 0);

@@ -47,9 +47,9 @@ entity engine_answer is
     number : in std_logic_vector(23 downto 0);
     -- Counters of each lane: cleared before its query, then so many more in each clock. The report has those of the oldest.
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
-    oldest_flags : in std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
-    clear : in std_logic_vector(lanes - 1 downto 0);
-    counting : in std_logic_vector(lanes - 1 downto 0);  -- clocks
+    oldest_flags : in lane_flags;  -- the same, a flag for each lane
+    clear : in lane_flags;
+    counting : in lane_flags;  -- clocks
     expanded : in std_logic;
     expanded_lane : in std_logic_vector(lane_bits - 1 downto 0);
     tested : in std_logic_vector(2 downto 0);
@@ -129,7 +129,7 @@ architecture rtl of engine_answer is
   signal survivors : lane_counts := (others => (others => '0'));
   signal pairs : lane_counts := (others => (others => '0'));
   -- Of the oldest query, a clock later, and which one that is another clock later: not later than its report.
-  signal shown : std_logic_vector(lanes - 1 downto 0) := (others => '0');
+  signal shown : lane_flags := (others => '0');
   signal clocks_now : unsigned(31 downto 0) := (others => '0');
   signal expansions_now : unsigned(31 downto 0) := (others => '0');
   signal tests_now : unsigned(31 downto 0) := (others => '0');

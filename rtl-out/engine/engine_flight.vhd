@@ -16,7 +16,7 @@ entity engine_flight is
   port (
     clk : in std_logic;
     reset : in std_logic;
-    ending : in std_logic_vector(lanes - 1 downto 0);  -- what is in flight of it is dropped
+    ending : in lane_flags;  -- what is in flight of it is dropped
     popped : in std_logic;  -- a pair, which gets the next place
     popped_lane : in unsigned(lane_bits - 1 downto 0);
     popped_entry : in std_logic_vector(entry_bits - 1 downto 0);
@@ -46,7 +46,7 @@ entity engine_flight is
     met_leaves : out std_logic_vector(3 downto 0) := "0000";  -- survivors that are pairs of leaves
     brings_nodes : out std_logic := '0';  -- there are survivors that are pushed, and the query goes on
     brings_leaves : out std_logic := '0';
-    bad_tree : out std_logic_vector(lanes - 1 downto 0) := (others => '0')
+    bad_tree : out lane_flags := (others => '0')
   );
 end entity engine_flight;
 

@@ -49,7 +49,7 @@ entity engine_queries is
     triangle_base_a : out std_logic_vector(31 downto 0);
     triangle_base_b : out std_logic_vector(31 downto 0);
     pose : out std_logic_vector(pose_bits - 1 downto 0);
-    leaves_only : out std_logic_vector(lanes - 1 downto 0);  -- no triangle test; never where there is no query
+    leaves_only : out lane_flags;  -- no triangle test; never where there is no query
     -- Of the oldest query.
     stop_at_contact : out std_logic;
     separate_too : out std_logic
@@ -91,9 +91,9 @@ architecture rtl of engine_queries is
   type rows is array (0 to last) of std_logic_vector(query_rows_bits - 1 downto 0);
   signal row : rows := (others => (others => '0'));
   signal new_rows : std_logic_vector(query_rows_bits - 1 downto 0);
-  signal leaves : std_logic_vector(lanes - 1 downto 0) := (others => '0');
-  signal contact : std_logic_vector(lanes - 1 downto 0) := (others => '0');
-  signal separate : std_logic_vector(lanes - 1 downto 0) := (others => '0');
+  signal leaves : lane_flags := (others => '0');
+  signal contact : lane_flags := (others => '0');
+  signal separate : lane_flags := (others => '0');
 begin
   -- Entries of the matrix: cut off and saturated. Which are is found a clock before.
   entry(0) <= job_words(job_pose_m00);

@@ -21,7 +21,7 @@ entity engine_traverse is
     start_lane : in std_logic_vector(lane_bits - 1 downto 0);
     most_expansions : in std_logic_vector(31 downto 0);  -- of it; 0: 2^32, after which the count of the report begins again
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
-    ending : in std_logic_vector(lanes - 1 downto 0);  -- from the next clock on no pair is popped any more; what is in flight is dropped
+    ending : in lane_flags;  -- from the next clock on no pair is popped any more; what is in flight is dropped
     -- Of the query whose blocks were taken a clock ago.
     block_count_a : in std_logic_vector(31 downto 0);
     block_count_b : in std_logic_vector(31 downto 0);
@@ -45,14 +45,14 @@ entity engine_traverse is
     pair_valid : out std_logic;
     pair_ready : in std_logic;
     pair_lane : out std_logic_vector(lane_bits - 1 downto 0);
-    pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a clock ago a pair left the queue of its lane
+    pair_left : in lane_flags;  -- a clock ago a pair left the queue of its lane
     pair_a : out std_logic_vector(27 downto 0);  -- number of the triangle
     pair_b : out std_logic_vector(27 downto 0);
     -- State and events, each of one clock.
-    idle : out std_logic_vector(lanes - 1 downto 0);  -- a clock ago nothing was in flight, and nothing was to be popped
+    idle : out lane_flags;  -- a clock ago nothing was in flight, and nothing was to be popped
     waiting : out std_logic;  -- something is in flight
-    bad_tree : out std_logic_vector(lanes - 1 downto 0);
-    limit_reached : out std_logic_vector(lanes - 1 downto 0);
+    bad_tree : out lane_flags;
+    limit_reached : out lane_flags;
     expanded : out std_logic;  -- a clock ago
     expanded_lane : out std_logic_vector(lane_bits - 1 downto 0);
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
@@ -64,7 +64,7 @@ entity engine_traverse is
 end entity engine_traverse;
 
 architecture rtl of engine_traverse is
-  signal ended : std_logic_vector(lanes - 1 downto 0) := (others => '1');  -- ending, a clock later: near to what reads it, and still set in the clock of start
+  signal ended : lane_flags := (others => '1');  -- ending, a clock later: near to what reads it, and still set in the clock of start
   signal popped : std_logic;
   signal popped_lane : unsigned(lane_bits - 1 downto 0);
   signal popped_entry : std_logic_vector(entry_bits - 1 downto 0);

@@ -5,7 +5,8 @@
 -- From job to start. A job that can be taken is taken, if no query waits for its check. Queries are checked one at a time, in the
 -- order of their lanes, and started or refused. After a soft reset no query waits.
 {%- if e.axi %}
--- After a memory error those behind the oldest wait once more. A query about other objects than the one before it waits until it is the oldest; then the caches are emptied.
+-- After a memory error those behind the oldest wait once more. A query about other objects than the one before it waits until it
+-- is the oldest; then the caches are emptied.
 {%- endif %}
 --------------------------------------------------------------------------------
 library ieee;

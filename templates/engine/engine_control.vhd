@@ -36,7 +36,7 @@ entity {{ prefix }}engine_control is
     job_reason : in std_logic_vector(4 downto 0);
     job_number : in std_logic_vector(23 downto 0);
     job_lane : out std_logic_vector(lane_bits - 1 downto 0);  -- that it gets
-    job_flags : out std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
+    job_flags : out lane_flags;  -- the same, a flag for each lane
     stop : in std_logic;
     stop_number : in std_logic_vector(23 downto 0);
     -- The first words of the query that is admitted next.
@@ -46,11 +46,11 @@ entity {{ prefix }}engine_control is
     busy : out std_logic;  -- a clock ago there was one, or a report, or a job was being taken
     running : out std_logic;  -- there is one, or the report of another job
     oldest : out std_logic_vector(lane_bits - 1 downto 0);
-    oldest_flags : out std_logic_vector(lanes - 1 downto 0);  -- the same, a flag for each lane
-    counting : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a query that is not reported yet
-    posed : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a pose for the triangle unit
-    started : out std_logic_vector(lanes - 1 downto 0);
-    ending : out std_logic_vector(lanes - 1 downto 0);  -- no query runs there, or it has a reason to end
+    oldest_flags : out lane_flags;  -- the same, a flag for each lane
+    counting : out lane_flags;  -- lanes with a query that is not reported yet
+    posed : out lane_flags;  -- lanes with a pose for the triangle unit
+    started : out lane_flags;
+    ending : out lane_flags;  -- no query runs there, or it has a reason to end
     dropping : out std_logic;  -- the oldest query had a reason to end a clock ago: its pairs are dropped
     start : out std_logic;  -- one clock long
     start_lane : out std_logic_vector(lane_bits - 1 downto 0);
@@ -61,10 +61,10 @@ entity {{ prefix }}engine_control is
     abort : out std_logic;  -- one clock long: all work is forgotten after a memory error
     retire : out std_logic;  -- one clock long: the oldest query is done
     -- How it goes.
-    idle : in std_logic_vector(lanes - 1 downto 0);  -- nothing was to be done any more, a clock ago
+    idle : in lane_flags;  -- nothing was to be done any more, a clock ago
     contact : in std_logic;  -- of the oldest query
-    limit_reached : in std_logic_vector(lanes - 1 downto 0);
-    bad_tree : in std_logic_vector(lanes - 1 downto 0);
+    limit_reached : in lane_flags;
+    bad_tree : in lane_flags;
 {%- if e.axi %}
     reads : in std_logic;  -- the oldest query may still need memory
     memory_error : in std_logic;  -- until abort

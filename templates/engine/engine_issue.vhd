@@ -22,8 +22,8 @@ entity {{ prefix }}engine_issue is
     start_lane : in std_logic_vector(lane_bits - 1 downto 0);
     most_expansions : in std_logic_vector(31 downto 0);  -- of it; 0: 2^32, after which the count of the report begins again
     oldest : in std_logic_vector(lane_bits - 1 downto 0);
-    ending : in std_logic_vector(lanes - 1 downto 0);  -- from the next clock on none is chosen any more
-    ended : in std_logic_vector(lanes - 1 downto 0);  -- the same, a clock later: none is popped
+    ending : in lane_flags;  -- from the next clock on none is chosen any more
+    ended : in lane_flags;  -- the same, a clock later: none is popped
     -- A pair that is popped, and its blocks, which are asked for a clock later.
     popped : out std_logic;
     popped_lane : out unsigned(lane_bits - 1 downto 0);
@@ -51,11 +51,11 @@ entity {{ prefix }}engine_issue is
     sends_pair : in std_logic;  -- one goes into the queue of its lane
     leaves_finished : in std_logic;  -- a record is finished
     leaf_lane : in std_logic_vector(lane_bits - 1 downto 0);
-    pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a clock ago a pair left the queue of its lane
+    pair_left : in lane_flags;  -- a clock ago a pair left the queue of its lane
     -- State and events, each of one clock.
-    idle : out std_logic_vector(lanes - 1 downto 0);  -- a clock ago nothing was in flight, and nothing was to be popped
+    idle : out lane_flags;  -- a clock ago nothing was in flight, and nothing was to be popped
     waiting : out std_logic;  -- something is in flight
-    limit_reached : out std_logic_vector(lanes - 1 downto 0);
+    limit_reached : out lane_flags;
     greatest_stack : out unsigned(15 downto 0) := (others => '0')  -- of the oldest query, a clock ago
   );
 end entity {{ prefix }}engine_issue;

@@ -41,13 +41,18 @@ fn number(text: &str, package: &str) -> usize {
     declared().unwrap_or(text).parse().unwrap_or_else(|_| panic!("no number: {text}"))
 }
 
-/// The ports of the first entity of a text but for `clk`. The highest bit is a number, or a constant less one.
+/// The ports of the first entity of a text but for `clk`. The highest bit is a number, or a constant less one; a type is one of the
+/// library or a subtype of the package.
 fn ports(text: &str, package: &str) -> Vec<Port> {
     let declarations = text.split("port (\n").nth(1).and_then(|rest| rest.split("\n  );").next()).expect("ports");
     let code =
         declarations.lines().filter_map(|line| line.split("--").next()?.trim().trim_end_matches(';').split_once(':'));
     let port = |(name, kind): (&str, &str)| {
         let (direction, kind) = kind.trim().split_once(' ').expect("a direction");
+        // The type, or what the package says that its name stands for.
+        let name_of_type = kind.split_whitespace().next().expect("a type");
+        let declared = package.split(&format!("subtype {name_of_type} is ")).nth(1);
+        let kind = declared.and_then(|rest| rest.split(';').next()).unwrap_or(kind);
         let range = kind.split_once('(').and_then(|(_, range)| range.split_once(" downto"));
         let bits = range.map(|(high, _)| match high.strip_suffix(" - 1") {
             Some(bits) => number(bits, package),

@@ -26,22 +26,22 @@ impl Loads {
     }
 
     fn in_module(module: &Module) -> Self {
-        let mut read: HashMap<u64, usize> = HashMap::new();
-        let ports = || {
-            let cells = module.cells.values();
-            cells.flat_map(|cell| cell.connections.iter().map(move |(port, bits)| (cell, port, bits)))
-        };
-        for (_, _, bits) in ports().filter(|(cell, port, _)| !cell.is_output(port)) {
-            bits.iter().filter_map(|bit| bit.net()).for_each(|net| *read.entry(net).or_default() += 1);
+        let (mut read, mut driven) = (HashMap::<u64, usize>::new(), vec![]);
+        for (name, cell) in &module.cells {
+            for (port, bits) in &cell.connections {
+                let nets = bits.iter().filter_map(|bit| bit.net());
+                if !cell.is_output(port) {
+                    nets.for_each(|net| *read.entry(net).or_default() += 1);
+                } else if of_design(name) {
+                    driven.extend(nets.map(|net| (net, cell.kind.as_str())));
+                }
+            }
         }
-        let of = |is: &dyn Fn(&str) -> bool| {
-            let ours =
-                module.cells.iter().filter(|(name, cell)| of_design(name) && is(&cell.kind)).map(|(_, cell)| cell);
-            let outputs = ours.flat_map(|cell| cell.connections.iter().filter(|(port, _)| cell.is_output(port)));
-            let nets = outputs.flat_map(|(_, bits)| bits).filter_map(|bit| bit.net());
-            nets.filter_map(|net| read.get(&net)).copied().max().unwrap_or(0)
+        let most = |is: &dyn Fn(&str) -> bool| {
+            let ours = driven.iter().filter(|(_, kind)| is(kind));
+            ours.filter_map(|(net, _)| read.get(net)).copied().max().unwrap_or(0)
         };
-        Self { logic: of(&|kind| LOGIC.contains(&kind)), flip_flop: of(&is_flip_flop) }
+        Self { logic: most(&|kind| LOGIC.contains(&kind)), flip_flop: most(&is_flip_flop) }
     }
 }
 
