@@ -57,21 +57,21 @@ impl Leaves {
     /// The union with another set, if it has at most so many members.
     fn union(&self, other: &Self, most: usize) -> Option<Self> {
         let mut union = Self::default();
-        let (mut a, mut b) = (self.iter().peekable(), other.iter().peekable());
-        while let Some(least) = a.peek().into_iter().chain(b.peek()).min().copied() {
+        let (mut a, mut b) = (&self.all[..self.count], &other.all[..other.count]);
+        while let Some(least) = a.first().into_iter().chain(b.first()).min().copied() {
             if union.count == most {
                 return None;
             }
-            union.all[union.count] = least as u32;
+            union.all[union.count] = least;
             union.count += 1;
-            a.next_if_eq(&least);
-            b.next_if_eq(&least);
+            a = &a[usize::from(a.first() == Some(&least))..];
+            b = &b[usize::from(b.first() == Some(&least))..];
         }
         Some(union)
     }
 }
 
-#[derive(Clone)]
+#[derive(Clone, Copy)]
 struct Cut {
     leaves: Leaves,
     flow: f64,
@@ -149,41 +149,49 @@ fn needed(gates: &Gates, roots: &[Bit]) -> Vec<usize> {
 /// The best cut of every gate: the cheapest that is not later than required, else the shallowest.
 fn choose(gates: &Gates, shares: &[f64], prices: &[f64], required: &[u32], passages: &Passages) -> Vec<Cut> {
     let most = prices.len() - 1;
-    let mut cuts: Vec<Vec<Cut>> = vec![];
+    // One after another, with where those of each gate begin.
+    let (mut cuts, mut starts): (Vec<Cut>, Vec<usize>) = (vec![], vec![0]);
+    let (mut unions, mut larger, mut own) = (vec![], vec![], vec![]);
     for (i, gate) in gates.all.iter().enumerate() {
+        let first = |gate: usize| cuts[starts[gate]];
         if matches!(gate, Gate::Zero | Gate::Leaf) {
             let leaves = if *gate == Gate::Leaf { Leaves::of(i) } else { Leaves::default() };
-            let depth = passages.entries(i).map(|(before, levels)| cuts[before][0].depth + levels).max().unwrap_or(0);
-            cuts.push(vec![Cut { leaves, flow: 0.0, depth }]);
+            let depth = passages.entries(i).map(|(before, levels)| first(before).depth + levels).max().unwrap_or(0);
+            cuts.push(Cut { leaves, flow: 0.0, depth });
+            starts.push(cuts.len());
             continue;
         }
-        let unions = gate.operands().fold(vec![Leaves::default()], |unions: Vec<Leaves>, operand| {
-            let pairs = unions.iter().flat_map(|u| cuts[operand].iter().map(move |c| u.union(&c.leaves, most)));
-            pairs.flatten().collect()
-        });
+        unions.push(Leaves::default());
+        for operand in gate.operands() {
+            let with = &cuts[starts[operand]..starts[operand + 1]];
+            for union in unions.drain(..) {
+                larger.extend(with.iter().filter_map(|cut| union.union(&cut.leaves, most)));
+            }
+            std::mem::swap(&mut unions, &mut larger);
+        }
         let price = |leaves: Leaves| {
-            let below: f64 = leaves.iter().map(|leaf| cuts[leaf][0].flow).sum();
-            let depth = leaves.iter().map(|leaf| cuts[leaf][0].depth).max().unwrap_or(0) + 1;
+            let below: f64 = leaves.iter().map(|leaf| first(leaf).flow).sum();
+            let depth = leaves.iter().map(|leaf| first(leaf).depth).max().unwrap_or(0) + 1;
             Cut { leaves, flow: below + prices[leaves.count], depth }
         };
-        let mut own: Vec<Cut> = unions.into_iter().map(price).collect();
+        own.extend(unions.drain(..).map(price));
         let key = |cut: &Cut| if cut.depth <= required[i] { 0 } else { cut.depth };
-        own.sort_by(|a, b| {
+        own.sort_unstable_by(|a, b| {
             let by_depth = key(a).cmp(&key(b));
             by_depth.then(a.flow.total_cmp(&b.flow)).then_with(|| a.leaves.cmp(&b.leaves))
         });
         own.dedup_by(|a, b| a.leaves == b.leaves);
         // The shallowest stays, whatever its price.
-        let shallowest = own.iter().min_by_key(|cut| cut.depth).cloned();
+        let shallowest = own.iter().min_by_key(|cut| cut.depth).copied();
         own.truncate(CUTS);
         own.extend(shallowest);
         // What users of this gate pay when they take it as a leaf; the cut that computes it comes first.
         own[0].flow /= shares[i].max(1.0);
-        let itself = Cut { leaves: Leaves::of(i), ..own[0].clone() };
-        own.push(itself);
-        cuts.push(own);
+        own.push(Cut { leaves: Leaves::of(i), ..own[0] });
+        cuts.append(&mut own);
+        starts.push(cuts.len());
     }
-    cuts.into_iter().map(|mut own| own.swap_remove(0)).collect()
+    starts[..gates.all.len()].iter().map(|start| cuts[*start]).collect()
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ mod statements;
 use super::fold::{Statement, merged};
 use super::shape::{Object, Shape, Types};
 use super::view::View;
-use crate::expression::{Expression, loop_variable};
+use crate::expression::{Expression, Name, loop_variable};
 use crate::graph::{Place, Step};
 use crate::netlist::{Driver, LINE_CLOCKS, Signal, SignalId};
 use crate::op::{Comb, Range};
@@ -268,9 +268,10 @@ impl Printer<'_, '_> {
         clocks.extend(self.view.instances.iter().map(|i| i.0));
         for clock in clocks {
             let mut lines = vec![];
-            let free = self.view.statements(|id, s, name| {
+            let free = self.view.statements(|id, s| {
                 let free = matches!(&s.driver, Driver::Register { enable: None, reset: None, .. });
-                (free && s.clock == clock).then(|| Statement::Assign(name.clone(), self.view.driven(id)))
+                (free && s.clock == clock)
+                    .then_some(move |name: &Name| Statement::Assign(name.clone(), self.view.driven(id)))
             });
             let has_strobes = !free.is_empty();
             if has_strobes {
@@ -281,9 +282,9 @@ impl Printer<'_, '_> {
                 };
                 self.process(&label, merged(free), &mut functions, &mut lines);
             }
-            let combinational = self.view.statements(|id, s, name| {
+            let combinational = self.view.statements(|id, s| {
                 let own = matches!(&s.driver, Driver::Combinational { .. }) && s.clock == clock;
-                own.then(|| Statement::Assign(name.clone(), self.view.driven(id)))
+                own.then_some(move |name: &Name| Statement::Assign(name.clone(), self.view.driven(id)))
             });
             let mut concurrent = combinational;
             let instances = || self.view.instances.iter().filter(|i| i.0 == clock);
@@ -304,12 +305,14 @@ impl Printer<'_, '_> {
         }
         // With an enable: a value of each phase, or one of each pair.
         let enabled = |selects: bool| {
-            self.view.statements(|id, s, name| match &s.driver {
+            self.view.statements(|id, s| match &s.driver {
                 Driver::Register { op, enable: Some(enable), reset: None, .. }
                     if matches!(op, Some(Comb::Lookup(..))) == selects =>
                 {
-                    let assign = Statement::Assign(name.clone(), self.view.driven(id));
-                    Some(Statement::If(self.view.value(*enable), vec![assign], vec![]))
+                    Some(move |name: &Name| {
+                        let assign = Statement::Assign(name.clone(), self.view.driven(id));
+                        Statement::If(self.view.value(*enable), vec![assign], vec![])
+                    })
                 }
                 _ => None,
             })
@@ -389,11 +392,11 @@ impl Printer<'_, '_> {
         let mut statements = vec![];
         for (flag, when) in groups {
             let group = |value: &dyn Fn(SignalId, &Signal, i128) -> Expression| {
-                merged(self.view.statements(|id, s, name| match &s.driver {
+                merged(self.view.statements(|id, s| match &s.driver {
                     Driver::Register { reset: Some((reset, start)), enable, .. }
                         if (*reset, *enable) == (flag, when) =>
                     {
-                        Some(Statement::Assign(name.clone(), value(id, s, *start)))
+                        Some(move |name: &Name| Statement::Assign(name.clone(), value(id, s, *start)))
                     }
                     _ => None,
                 }))

@@ -4,7 +4,7 @@ use crate::expression::{Index, Name, Sub};
 use crate::graph::{Place, Step, append_step};
 use crate::netlist::{Module, SignalId};
 use crate::op::Type;
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::rc::Rc;
 
 /// What an object is made of.
@@ -93,6 +93,8 @@ impl Shape {
 pub(super) struct Types {
     /// Those that are declared, inner ones first.
     all: Vec<Shape>,
+    /// Short stems that several of them have.
+    shared: BTreeSet<String>,
 }
 
 impl Types {
@@ -101,7 +103,8 @@ impl Types {
         shape.declared(&mut self.all);
     }
 
-    /// Brings the declarations into an order that does not depend on where the types are used.
+    /// Brings the declarations into an order that does not depend on where the types are used, and finds names for them: after the
+    /// last type.
     pub fn sort(&mut self) {
         fn depth(shape: &Shape) -> usize {
             match shape {
@@ -111,12 +114,14 @@ impl Types {
             }
         }
         self.all.sort_by_key(|shape| (depth(shape), shape.clone()));
+        let mut known = BTreeSet::new();
+        let stems = self.all.iter().map(|shape| shape.stem(false));
+        self.shared = stems.filter(|stem| !known.insert(stem.clone())).collect();
     }
 
     fn stem(&self, shape: &Shape) -> String {
         let short = shape.stem(false);
-        let shared = self.all.iter().any(|other| other != shape && other.stem(false) == short);
-        if shared { shape.stem(true) } else { short }
+        if self.shared.contains(&short) { shape.stem(true) } else { short }
     }
 
     /// The names of the types and of their constants.

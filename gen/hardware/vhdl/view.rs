@@ -402,13 +402,21 @@ impl<'a> View<'a> {
         tables
     }
 
-    /// Statements of the signals that a function gives one, folded by object.
-    pub fn statements(&self, leaf: impl Fn(SignalId, &Signal, &Name) -> Option<Statement>) -> Vec<Statement> {
+    /// The statements of all signals, folded by object. `make` gives for a signal what makes its statement from its name, if it
+    /// has one.
+    pub fn statements<S: FnOnce(&Name) -> Statement>(
+        &self,
+        make: impl Fn(SignalId, &'a Signal) -> Option<S>,
+    ) -> Vec<Statement> {
         let at_end: HashSet<usize> = self.lines.iter().map(|l| l.object).collect();
         let objects = self.objects.iter().enumerate().filter(|(i, _)| !at_end.contains(i)).map(|(_, o)| o);
         let mut all = vec![];
         for object in objects.chain(&self.outputs) {
-            let leaf = |name: &Name| self.signal(name).and_then(|(id, signal)| leaf(id, signal, name));
+            // Every clock of a schedule asks for its own: most objects have none.
+            if !object.members.iter().any(|(id, _)| make(*id, self.module.signal(*id)).is_some()) {
+                continue;
+            }
+            let leaf = |name: &Name| self.signal(name).and_then(|(id, signal)| Some(make(id, signal)?(name)));
             all.extend(fold::fold(self, &object.shape, &Name::whole(object.name.clone()), 0, &leaf));
         }
         all
