@@ -265,6 +265,28 @@ fn links_are_followed_and_permissions_stay() {
     refuses(dir, "generate --unit projection --svg dangling.svg", "dangling.svg");
 }
 
+/// A part of one's own is named by its file without folders, which are the user's, in a word that all tools take.
+#[test]
+fn a_part_of_ones_own_is_the_same_wherever_it_lies() {
+    const PART: &str = "like = 'xc7a200t-1'\nname = 'xc7k325t-2'\nmultipliers = 840\nluts = 203800\nmemory_luts = 64000\n\
+        flip_flops = 407600\nblock_rams = 890\n\
+        [part]\nfamily = 'Kintex7'\ndevice = 'xc7k325t'\npackage = 'ffg900'\nspeed = '-2'\n";
+    let home = tempfile::tempdir().unwrap();
+    let [top, parts] = [home.path().to_owned(), home.path().join("parts.own")];
+    fs::create_dir(&parts).unwrap();
+    fs::write(parts.join("k.325.toml"), PART).unwrap();
+    for (options, core) in [("", "efsat-device-k-325"), (" --engine", "efsat-engine-device-k-325")] {
+        succeeds(&top, &format!("generate --device parts.own/k.325.toml --out d{options}"));
+        succeeds(&parts, &format!("generate --device k.325.toml --out ../d --check{options}"));
+        let name =
+            fs::read_to_string(top.join(if options.is_empty() { "d/efsat.core" } else { "d/efsat_engine.core" }));
+        assert!(name.unwrap().contains(&format!("efsat:core:{core}:")), "{core}");
+        fs::remove_dir_all(top.join("d")).unwrap();
+    }
+    let summary = succeeds(&top, "synth --predict --json --device parts.own/k.325.toml");
+    assert!(summary.contains("\"device\": \"xc7k325t-2\""), "{summary}");
+}
+
 #[test]
 fn a_picture_goes_into_a_pipe() {
     let home = tempfile::tempdir().unwrap();

@@ -99,9 +99,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.ready {
         return ready(arguments, &params);
     }
-    let design = Design::new(&params, false)?;
-    let lp = arguments.lp.iter().map(|dir| (dir, programme_files(&design, &params.command_line())));
-    let dump = arguments.dump.iter().map(|dir| (dir, dump_files(&design, &params.command_line())));
+    let mut design = Design::new(&params, false)?;
+    leave_out_folders(&mut design.params);
+    let lp = arguments.lp.iter().map(|dir| (dir, programme_files(&design, &design.params.command_line())));
+    let dump = arguments.dump.iter().map(|dir| (dir, dump_files(&design, &design.params.command_line())));
     if let Some((dir, set)) = lp.chain(dump).next() {
         set.write(dir)?;
         return print(&format!("{}: {} files\n", dir.display(), set.len()));
@@ -135,6 +136,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let shortages = estimate::whole(&design.top, design.device).shortages(&design.device.capacity);
     warn_of(design.device, &shortages);
     Ok(())
+}
+
+/// Files name a part of one's own by its file without folders: the same part gives the same files, wherever it lies.
+fn leave_out_folders(params: &mut Params) {
+    params.device = params.device.rsplit('/').next().unwrap_or_default().to_owned();
 }
 
 /// Refuses a clock that the longest operation between registers does not hold, and names the highest that is held; `again` makes the
@@ -301,12 +307,13 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     let Some(out) = &arguments.out else {
         return Err(Failure::Usage("no --out: expected --out DIR with --engine".to_owned()));
     };
-    let design = match arguments.pairs_by_number {
+    let mut design = match arguments.pairs_by_number {
         false => arguments.engine_params.design(&arguments.params)?,
         true => arguments.engine_params.design_by_number(&arguments.params)?,
     };
     let again = if arguments.pairs_by_number { EngineDesign::by_number } else { EngineDesign::new };
     reaches(&design, &design.unit.params, EngineDesign::clock, |unit| again(&design.params, unit))?;
+    leave_out_folders(&mut design.unit.params);
     let prefix = arguments.name.clone().unwrap_or_default();
     let name = prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
     let registers = if arguments.registers { " --registers" } else { "" };

@@ -4,7 +4,7 @@ mod summary;
 mod table;
 
 use super::error::Failure;
-use super::output::{print, print_json, warn_of};
+use super::output::{print, print_json, warn, warn_of};
 use super::params::{EngineArguments, ParamArguments, choice, whole};
 use super::{file, progress};
 use efsat_checks::synth::{self, Flow, Options, Placer, Report, Subject};
@@ -101,6 +101,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.predict {
         let report = subject.predict(flow);
         warn_of(report.counted_for, &report.shortages());
+        let (megahertz, end) = &report.scheduled;
+        if *megahertz + 1e-6 < f64::from(params.frequency) {
+            let ns = 1000.0 / megahertz;
+            warn(&format!(
+                "{end} takes {ns:.1} ns between registers; efsat generate refuses --frequency {}",
+                params.frequency
+            ));
+        }
         return show(&report, &params, arguments.json);
     }
     let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };

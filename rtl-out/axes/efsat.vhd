@@ -145,7 +145,7 @@ begin
               pose_m => active_m, pose_t => active_t, pose_bypass => active_bypass, verdict => path_verdict,
               outside => path_outside, separated => path_separated, overlapping => path_overlapping);
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

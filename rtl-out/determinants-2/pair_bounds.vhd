@@ -231,7 +231,7 @@ begin
   compared_bound(10) <= signed(resize(bound_side11(32 downto 3), 31));
   compared_bound(11) <= signed(resize(bound_side12(32 downto 3), 31));
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

@@ -170,7 +170,7 @@ begin
     end if;
   end process clock_27;
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

@@ -146,7 +146,7 @@ begin
   compared(10) <= resize(determinant_side11, 41);
   compared(11) <= resize(determinant_side12, 41);
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

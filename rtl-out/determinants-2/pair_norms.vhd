@@ -158,7 +158,7 @@ begin
               plane_a => length_measure0_plane_a0_unit_plane_a, plane_b => length_measure0_plane_a0_unit_plane_b,
               ends => length_measure0_plane_a0_unit_ends, middle => length_measure0_plane_a0_unit_middle);
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

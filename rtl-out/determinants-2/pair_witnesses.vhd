@@ -188,7 +188,7 @@ begin
   verdict_unit : entity work.pair_verdict
     port map (separated => verdict_unit_separated, overlapping => verdict_unit_overlapping, verdict => verdict);
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

@@ -156,7 +156,7 @@ begin
               pose_bypass => active_bypass, verdict => path_verdict, outside => path_outside,
               separated => path_separated, overlapping => path_overlapping);
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

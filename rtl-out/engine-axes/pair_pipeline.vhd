@@ -165,7 +165,7 @@ begin
     end if;
   end process selectors;
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

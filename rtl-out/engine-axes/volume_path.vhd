@@ -79,7 +79,7 @@ begin
   survive(1) <= survive1_and_h13 and not apart_found(0)(1);
   survive(3) <= survive3_and_h13 and not apart_found(1)(1);
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

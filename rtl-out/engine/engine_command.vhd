@@ -38,7 +38,7 @@ entity engine_command is
     job_query : out std_logic;  -- a query, else a report
     job_posed : out std_logic;  -- with a pose: a query, or a pose alone
     job_short : out std_logic;  -- of a packet of kind 1 or 2, whose report is one word
-    -- Of the report: 0 loaded, 6 unknown header, 7 too short, 8 too long. Of a short one: 0 pose taken, 1, 2, 3.
+    -- Of the report: 6 unknown header, 7 too short, 8 too long. Of a short one: 0 pose taken, 1, 2, 3.
     job_reason : out std_logic_vector(4 downto 0);
     job_number : out std_logic_vector(23 downto 0);
     job_words : out std_logic_vector(job_bits - 1 downto 0);  -- of the query without its header, the first in the low bits
@@ -224,7 +224,7 @@ begin
   header.stop <= head_whole and head_last and head_kind(is_stop) and head_kind(is_clear);
   header.soft_reset <= head_whole and head_last and head_kind(is_reset) and head_kind(is_clear);
   header.long_stop <= head_whole and not head_last and (head_kind(is_stop) or head_kind(is_reset)) and head_kind(is_clear);
-  waits <= reset_now or ((pending or closing) and (head_last or not header.query)) or (busy and (header.pairs));
+  waits <= reset_now or ((pending or closing) and (head_last or not header.query)) or (busy and header.pairs);
   taken <= goes when at_header = '1' else head_valid and not occupied and not pending;
   reset_taken <= goes and going.soft_reset;
   clears <= reset or soft_reset or reset_taken;
@@ -239,7 +239,8 @@ begin
     if rising_edge(clk) then
       next_expectation := expectation;
       if shifts = '1' then
-        words <= head & words(job_bits - 1 downto 64);
+        -- While a pose moves, the word behind it may be none: in simulation its bits are then unknown.
+        words <= std_logic_vector(to_01(unsigned(head))) & words(job_bits - 1 downto 64);
       end if;
       stop <= '0';
       closing <= '0';

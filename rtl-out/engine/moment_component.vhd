@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- One component of a moment, c = x y - x' y', without the bits that no shift keeps; one is left to round by.
--- too_great(k): round(c, N - span + k) is not in [-R, R - 1].
+-- too_great: round(c, N - 1) is not in [-R, R - 1].
 -- Latency: 3 clocks.
 --------------------------------------------------------------------------------
 library ieee;

@@ -155,7 +155,7 @@ begin
     difference_w2(i) <= difference(i + 6)(32 downto 0);
   end generate difference_w2_each;
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

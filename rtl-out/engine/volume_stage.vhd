@@ -74,7 +74,7 @@ begin
               b_origin => held_b_origin, b_exponent => held_b_exponent, b_code => held_b_code, b_take => held_b_take,
               survive => path_survive);
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

@@ -124,7 +124,7 @@ begin
         apart_found_word_captured_second(k)(1) & apart_found_word_captured_first(k)(1));
   end generate apart_found_1_each;
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

@@ -115,7 +115,7 @@ begin
     port map (clk => clk, in_v => pair_v, in_w => pair_w, verdict => path_verdict, outside => path_outside,
               separated => path_separated, overlapping => path_overlapping);
 
-  -- Registers that are loaded once per pair
+  -- Registers that load under an enable
   captures : process (clk)
   begin
     if rising_edge(clk) then

@@ -1,7 +1,7 @@
 //! The JSON object of `efsat synth`.
 
 use efsat_checks::synth::{Cells, CriticalPath, Report, Routed, Timing, Unit};
-use efsat_hardware::device::Resources;
+use efsat_hardware::device::{self, Resources};
 use efsat_unit::params::{Params, options::Choice};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -194,7 +194,7 @@ impl<'a> Summary<'a> {
         Self {
             flow: report.flow.name(),
             tools: &report.tools,
-            device: &params.device,
+            device: device::find(&params.device).map_or(&params.device, |device| device.name),
             counted_for: report.counted_for.name,
             initiation_interval: report.interval,
             latency: report.latency,

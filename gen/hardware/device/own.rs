@@ -93,8 +93,11 @@ fn parse(text: &str) -> Result<Device, String> {
         if own.product.is_some() { 0.0 } else { like.product.1 },
     );
     let behind = delay("product_behind_register", own.product_behind_register, like.product_behind_register, 0.0)?;
+    // Where a key is not given its value is the known part's.
+    let of = |given: Option<f64>| if given.is_some() { String::new() } else { format!(" of {}", like.name) };
     if behind > product.0 {
-        return Err(format!("product_behind_register = {behind}: expected at most product, {}", product.0));
+        let whose = of(own.product_behind_register);
+        return Err(format!("product_behind_register = {behind}{whose}: expected at most product, {}", product.0));
     }
     let adder = match own.chains {
         Some(false) => 0,
@@ -104,7 +107,7 @@ fn parse(text: &str) -> Result<Device, String> {
     let clock_to_output = delay("clock_to_output", own.clock_to_output, like.clock_to_output, 0.01)?;
     let (net, wide_net) = (delay("net", own.net, like.net, 0.0)?, delay("wide_net", own.wide_net, like.wide_net, 0.0)?);
     if wide_net < net {
-        return Err(format!("wide_net = {wide_net}: expected at least net, {net}"));
+        return Err(format!("wide_net = {wide_net}{}: expected at least net, {net}", of(own.wide_net)));
     }
     Ok(Device {
         name: own.name.leak(),

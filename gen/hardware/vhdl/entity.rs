@@ -319,7 +319,7 @@ impl Printer<'_, '_> {
         };
         for (selects, label, heading) in [
             (true, "selectors", "Selectors, set in the clock before their phase"),
-            (false, "captures", "Registers that are loaded once per pair"),
+            (false, "captures", "Registers that load under an enable"),
         ] {
             let registers = enabled(selects);
             if !registers.is_empty() {

@@ -71,7 +71,7 @@ fn registers_begin_with_the_value_that_they_are_reset_to() {
             end if;
           end process registers;
 
-          -- Registers that are loaded once per pair
+          -- Registers that load under an enable
           captures : process (clk)
           begin
             if rising_edge(clk) then
@@ -476,7 +476,7 @@ fn delays_are_lines_and_phases_are_tables() {
             end if;
           end process selectors;
 
-          -- Registers that are loaded once per pair
+          -- Registers that load under an enable
           captures : process (clk)
           begin
             if rising_edge(clk) then
@@ -599,7 +599,7 @@ fn copies_that_are_held_are_arrays_with_the_numbers_of_the_bundle() {
           -- Clock 8
           y <= resize(a0_held(3), 9) + resize(y_choice_h1, 9);
 
-          -- Registers that are loaded once per pair
+          -- Registers that load under an enable
           captures : process (clk)
           begin
             if rising_edge(clk) then
@@ -769,7 +769,7 @@ fn ports_of_a_top_are_plain_vectors_and_may_be_left_open() {
         architecture rtl of sample is
           signal q : signed(7 downto 0) := (others => '0');  -- s4.4
         begin
-          -- Registers that are loaded once per pair
+          -- Registers that load under an enable
           captures : process (clk)
           begin
             if rising_edge(clk) then

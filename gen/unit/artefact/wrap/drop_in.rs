@@ -8,7 +8,7 @@ use crate::params::options::Choice;
 use crate::params::{Method, Params};
 use crate::words::StreamWidth;
 use askama::Template;
-use efsat_hardware::device::{Device, Family, Part};
+use efsat_hardware::device::{Device, Family, OWN, Part};
 
 #[derive(Template)]
 #[template(path = "drop-in/efsat.core", escape = "none")]
@@ -53,11 +53,12 @@ impl Synthesis {
 }
 
 /// The name of a core in FuseSoC: by what it differs from the default one of its kind, so that cores of all options can lie in one
-/// library; or by the prefix. `differences` are options with their values, or words.
+/// library; or by the prefix. `differences` are options with their values, or words. Tools take letters, digits, `-` and `_`.
 pub fn named(stem: &str, differences: impl Iterator<Item = String>, prefix: &Prefix) -> String {
     let mut name = prefix.of(stem);
     if prefix.name().is_none() {
-        differences.for_each(|difference| name.extend(["-", &difference.replace('+', "plus-")]));
+        let word = |difference: String| difference.trim_end_matches(OWN).replace('+', "plus-").replace(['/', '.'], "-");
+        differences.for_each(|difference| name.extend(["-", &word(difference)]));
     }
     format!("efsat:core:{name}")
 }

@@ -73,7 +73,10 @@ pub fn component<'l>(p: &Params, plus: [Sig<'l>; 2], minus: [Sig<'l>; 2]) -> (Si
     let (n, span) = (p.width, p.span);
     let doc = [
         "One component of a moment, c = x y - x' y', without the bits that no shift keeps; one is left to round by.",
-        "too_great(k): round(c, N - span + k) is not in [-R, R - 1].",
+        match span {
+            1 => "too_great: round(c, N - 1) is not in [-R, R - 1].",
+            _ => "too_great(k): round(c, N - span + k) is not in [-R, R - 1].",
+        },
     ];
     entity!("moment_component", &doc, (plus, minus) => {
         let exact = (product(plus[0], plus[1]) - product(minus[0], minus[1])).bits(2 * n).named("exact");
