@@ -284,7 +284,7 @@ fn a_part_of_ones_own_is_the_same_wherever_it_lies() {
         fs::remove_dir_all(top.join("d")).unwrap();
     }
     let summary = succeeds(&top, "synth --predict --json --device parts.own/k.325.toml");
-    assert!(summary.contains("\"device\": \"xc7k325t-2\""), "{summary}");
+    assert!(summary.contains("\"device\":\"xc7k325t-2\""), "{summary}");
 }
 
 #[test]
