@@ -192,7 +192,8 @@ mod tests {
             with("memory_luts = 64000", "memory_luts = 203801"),
             "memory_luts = 203801: expected at most luts, 203800"
         );
-        assert_eq!(with("lut = 0.05", "net = 9"), "wide_net = 1.5: expected at least net, 9");
+        assert_eq!(with("lut = 0.05", "net = 9"), "wide_net = 1.5 of xc7a200t-1: expected at least net, 9");
+        assert_eq!(with("lut = 0.05", "net = 9\nwide_net = 8"), "wide_net = 8: expected at least net, 9");
         assert!(with("lut = 0.05", "luts = 9").contains("line 8"));
         assert!(
             with("lut = 0.05", "speed_of_light = 9").contains("speed_of_light"),
