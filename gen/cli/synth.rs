@@ -4,6 +4,7 @@ mod summary;
 mod table;
 
 use super::error::Failure;
+use super::generate::misses;
 use super::output::{print, print_json, warn, warn_of};
 use super::params::{EngineArguments, ParamArguments, choice, whole};
 use super::{file, progress};
@@ -102,7 +103,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let report = subject.predict(flow);
         warn_of(report.counted_for, &report.shortages());
         let (megahertz, end) = &report.scheduled;
-        if *megahertz + 1e-6 < f64::from(params.frequency) {
+        if misses(*megahertz, params.frequency) {
             let ns = 1000.0 / megahertz;
             warn(&format!(
                 "{end} takes {ns:.1} ns between registers; efsat generate refuses --frequency {}",

@@ -1,5 +1,6 @@
 //! The text of `efsat synth`.
 
+use crate::generate::misses;
 use efsat_checks::synth::{CriticalPath, Placed, Report, Routed, Timing, Unit};
 use efsat_engine::artefact::cells::WITHIN;
 use efsat_hardware::device::{self, Device, Resources};
@@ -41,7 +42,7 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
         );
     }
     let (scheduled, end) = &report.scheduled;
-    let below = if *scheduled < f64::from(params.frequency) { ", below the target" } else { "" };
+    let below = if misses(*scheduled, params.frequency) { ", below the target" } else { "" };
     let device = &params.device;
     let _ =
         writeln!(text, "clock: {scheduled:.1} MHz by the schedule for {device}{below} (longest path ends at {end})");

@@ -266,12 +266,12 @@ impl Printer<'_, '_> {
         }
         let mut clocks: BTreeSet<Option<i32>> = module.signals.iter().map(|s| s.clock).collect();
         clocks.extend(self.view.instances.iter().map(|i| i.0));
+        let assign = |id| move |name: &Name| Statement::Assign(name.clone(), self.view.driven(id));
         for clock in clocks {
             let mut lines = vec![];
             let free = self.view.statements(|id, s| {
                 let free = matches!(&s.driver, Driver::Register { enable: None, reset: None, .. });
-                (free && s.clock == clock)
-                    .then_some(move |name: &Name| Statement::Assign(name.clone(), self.view.driven(id)))
+                (free && s.clock == clock).then_some(assign(id))
             });
             let has_strobes = !free.is_empty();
             if has_strobes {
@@ -284,7 +284,7 @@ impl Printer<'_, '_> {
             }
             let combinational = self.view.statements(|id, s| {
                 let own = matches!(&s.driver, Driver::Combinational { .. }) && s.clock == clock;
-                own.then_some(move |name: &Name| Statement::Assign(name.clone(), self.view.driven(id)))
+                own.then_some(assign(id))
             });
             let mut concurrent = combinational;
             let instances = || self.view.instances.iter().filter(|i| i.0 == clock);
@@ -309,10 +309,7 @@ impl Printer<'_, '_> {
                 Driver::Register { op, enable: Some(enable), reset: None, .. }
                     if matches!(op, Some(Comb::Lookup(..))) == selects =>
                 {
-                    Some(move |name: &Name| {
-                        let assign = Statement::Assign(name.clone(), self.view.driven(id));
-                        Statement::If(self.view.value(*enable), vec![assign], vec![])
-                    })
+                    Some(move |name: &Name| Statement::If(self.view.value(*enable), vec![assign(id)(name)], vec![]))
                 }
                 _ => None,
             })
